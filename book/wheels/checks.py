@@ -97,6 +97,17 @@ def rolled_by_turn(places: Array, centres: Array, omega: Array, r: Array) -> Arr
     return np.stack([swedish_rolled(places, twists), np.array(rates)], axis=-1)
 
 
+def plainly_rolled_by_turn(places: Array, centres: Array, omega: Array, r: Array) -> Array:
+    """The same of fixed wheels."""
+    twists, turns = turn_about(centres), omega[..., None] * turn_about(centres)
+    made = [wheels.fixed(*place, size) for place, size in zip(places, r, strict=True)]
+    rates = [
+        wheels.inverse([wheel], turn, slipping="ignore")[0]
+        for wheel, turn in zip(made, turns, strict=True)
+    ]
+    return np.stack([rolled(places, twists), np.array(rates)], axis=-1)
+
+
 def omni_inverse(l: Array, r: Array, twists: Array) -> Array:
     """The rates of omni robots' wheels."""
     rows = zip(l, r, twists, strict=True)
@@ -193,6 +204,15 @@ CHECKS = (
     ),
     Check(
         formulas.rolling_by_distance,
+        function=plainly_rolled_by_turn,
+        arguments=((l, alpha, beta), (x_Q, y_Q), omega, r),
+        ranges={r: (0.1, 0.5)},
+        tolerance=1e-12,
+        reason="as wheels.rolling; rates up to 500 rad/s",
+        specials=(*PLACES, {omega: 0.0}, {x_Q: 0.0, y_Q: 0.0}),
+    ),
+    Check(
+        formulas.swedish_by_distance,
         function=rolled_by_turn,
         arguments=((l, alpha, beta, gamma), (x_Q, y_Q), omega, r),
         ranges={r: (0.1, 0.5), gamma: (-1.2, 1.2)},

@@ -1,5 +1,6 @@
 """The live figures of the chapter on wheel constraints: a trolley, then one robot all the way."""
 
+import re
 from typing import Any
 
 from sympy import (
@@ -8,6 +9,7 @@ from sympy import (
     Matrix,
     Max,
     Min,
+    Not,
     Or,
     Piecewise,
     Rational,
@@ -34,6 +36,7 @@ from book.motion.formulas import dt, omega, theta, theta_dot, v, v_y, x, x_dot, 
 from book.things.outlines import box, disc, line
 from book.things.vehicles import CASTORS
 from book.wheels import formulas as wheels
+from book.wheels.exercises import DRAWN as DRAWN_ROBOTS
 from book.wheels.exercises import cos_alpha, heading_for_beta, plus_l_cos, plus_sign, turned_back
 from book.wheels.formulas import (
     alpha,
@@ -95,14 +98,14 @@ BAY = (0.7, 0.85, 0)
 NEAR, STRAIGHT = 10, 8  # cm, degrees: how far from the bay the trolley still counts as in it
 
 locked = Symbol("locked")  # 1 while the rear wheels do not swivel
+WAYS = {"x": "ahead", "y": "to the left"}
+# one with wheels that swivel, then two with locked ones
 PUSHES = tuple(
     tuple(
-        quantity(
-            f"push{k}_{axis}", "m", -1.5, 1.5, f"{name} push of the hand, {way}", f"{axis}_{k}"
-        )
-        for axis, way in (("x", "ahead"), ("y", "to the left"))
+        quantity(f"push{k}_{axis}", "m", -1.5, 1.5, f"push of the hand, {way}", f"{axis}_{k}")
+        for axis, way in WAYS.items()
     )
-    for k, name in ((1, "first"), (2, "second"))
+    for k in range(3)
 )
 
 
@@ -167,12 +170,13 @@ def is_in_bay(end: Any) -> Any:
 
 def trolley_figure() -> Figure:
     """Draw the opening: a trolley to push by its handle; the rear wheels can be locked."""
-    start, steps = (0, 0, 0), NamedSteps()
-    pushes = (PUSHES[0], tuple(locked * push for push in PUSHES[1]))  # a second one, if need be
-    middle, turned = after_push(steps, 1, start, pushes[0])
-    end, turned_2 = after_push(steps, 2, middle, pushes[1])
-    moved = steps.add("moved", distance(pushes[1], ORIGIN)) > 1e-9
-    first, second = swivels(start, pushes[0], turned), swivels(middle, pushes[1], turned_2)
+    start, steps, is_locked = (0, 0, 0), NamedSteps(), locked > 0.5
+    once = tuple((1 - locked) * a + locked * b for a, b in zip(*PUSHES[:2], strict=True))
+    again = tuple(locked * push for push in PUSHES[2])
+    middle, turned = after_push(steps, 1, start, once)
+    end, turned_2 = after_push(steps, 2, middle, again)
+    moved = steps.add("moved", distance(again, ORIGIN)) > 1e-9
+    first, second = swivels(start, once, turned), swivels(middle, again, turned_2)
     angles, ways = (
         [
             steps.add(f"{name}{k}", Piecewise((b, moved), (a, True)))
@@ -181,17 +185,22 @@ def trolley_figure() -> Figure:
         for name, pair in zip(("swivel", "rolled"), zip(first, second, strict=True), strict=True)
     )
     shapes: list[Any] = []
-    handles = []
-    for k, (pose, push) in enumerate(zip((start, middle), pushes, strict=True)):
+    for k, (pose, push) in enumerate(((start, once), (middle, again)), 1):
         hand = point_of(pose, HAND)
         there = (hand[0] + push[0], hand[1] + push[1])
         kept = cos(pose[2]) * push[0] + sin(pose[2]) * push[1]
-        shapes += when(locked > 0.5, Line("error", (point_of((*hand, pose[2]), kept), there)))
-        shapes.append(Arrow("velocity", hand, there, f"push {k + 1}"))
-        there = (there[0], there[1] if k == 0 else Piecewise((there[1], locked > 0.5), (nan, True)))
-        pulled = (POINTER[0] - hand[0], POINTER[1] - hand[1])
+        shapes += when(is_locked, Line("error", (point_of((*hand, pose[2]), kept), there)))
+        shapes.append(Arrow("velocity", hand, there, f"push {k}"))
+    made = And(is_locked, distance(once, ORIGIN) > 0.02)
+    grip = point_of(middle, HAND - 0.13)  # of the second push, behind that of the first
+    shapes += when(And(made, distance(again, ORIGIN) < 0.02), Point("velocity", grip, "push again"))
+    holds = ((point_of(start, HAND), locked < 0.5), (point_of(start, HAND), is_locked))
+    handles = []
+    for k, ((at, there), pair) in enumerate(zip((*holds, (grip, made)), PUSHES, strict=True)):
+        pulled = (POINTER[0] - at[0], POINTER[1] - at[1])
+        place = (at[0] + pair[0], Piecewise((at[1] + pair[1], there), (nan, True)))
         handles.append(
-            Handle(f"the hand, push {k + 1}", there, dict(zip(PUSHES[k], pulled, strict=True)))
+            Handle(f"the hand, push {max(k, 1)}", place, dict(zip(pair, pulled, strict=True)))
         )
     return Figure(
         name="trolley",
@@ -206,23 +215,21 @@ def trolley_figure() -> Figure:
                     push,
                     -1.2,
                     1.5,
-                    start=begin,
+                    start=0.0,
                     step=0.02,
-                    label=f"push {k}: {way}",
-                    shown=True if k == 1 else locked > 0.5,
+                    label=f"push{name}: {way}",
+                    shown=is_locked if name else locked < 0.5,
                 )
-                for k, (pair, begins) in enumerate(
-                    zip(PUSHES, ((0.0, 0.0), (0.3, 0.0)), strict=True), 1
-                )
-                for push, way, begin in zip(pair, ("ahead", "to the left"), begins, strict=True)
+                for name, pair in zip(("", " 1", " 2"), PUSHES, strict=True)
+                for push, way in zip(pair, WAYS.values(), strict=True)
             ),
         ),
         where=steps,
         shapes=(
             *bay(end),
             things.trolley(start, look="ghost"),
-            *when(And(locked > 0.5, moved), things.trolley(middle, look="ghost")),
-            *when(locked > 0.5, Line("icr", (point_of(end, AXLE, -3), point_of(end, AXLE, 3)))),
+            *when(And(is_locked, moved), things.trolley(middle, look="ghost")),
+            *when(is_locked, Line("icr", (point_of(end, AXLE, -3), point_of(end, AXLE, 3)))),
             things.trolley(end, angles, ways),
             *shapes,
         ),
@@ -233,7 +240,7 @@ def trolley_figure() -> Figure:
         ),
         goal=(
             Goal(is_in_bay(end), f"Push it into the bay: within {NEAR} cm and {STRAIGHT}°."),
-            Goal(And(locked > 0.5, is_in_bay(end)), "Again, with the rear wheels locked."),
+            Goal(And(is_locked, is_in_bay(end)), "Again, with the rear wheels locked."),
         ),
     )
 
@@ -394,7 +401,7 @@ def place_figure() -> Figure:
         view=(-0.38, 0.42, -0.13, 0.4),
         ground="tiles",
         controls=(
-            Slider.degrees(alpha, -60, 180, start=40, step=5, label="spoke α"),
+            Slider.degrees(alpha, -60, 180, start=120, step=5, label="spoke α"),
             Slider.degrees(beta, -90, 90, start=25, step=5, label="axle β"),
         ),
         where=((l, SIZE),),
@@ -403,7 +410,8 @@ def place_figure() -> Figure:
             *wheel_on_plate((0, 0, 0)),
             Arrow("text", ORIGIN, (0.3, 0), "x"),
             Length(l, ORIGIN, HUB, aside=-0.03),
-            Line("ghost", (HUB, point_of((0, 0, alpha), 0.34))),
+            Line(alpha, (ORIGIN, point_of((0, 0, alpha), 0.34))),
+            Line(beta, (HUB, point_of((*HUB, AXIS), 0.15))),
             AngleArc(alpha, ORIGIN, 0, alpha, 0.075),
             AngleArc(beta, HUB, alpha, alpha + beta, 0.11),
             Arrow("left", HUB, rolls, "rolls"),
@@ -421,9 +429,9 @@ def place_figure() -> Figure:
                 },
             ),
         ),
-        readouts=(Readout("rolls", "rolls towards α + β − 90°", ROLLS, "rad", 0),),
+        readouts=(Readout("rolls", "rolls towards", ROLLS, "rad", 0),),
         goal=Goal(
-            And(angle_size(ROLLS) < 2 * DEGREE, Abs(alpha - 40 * DEGREE) > 9 * DEGREE),
+            And(angle_size(ROLLS) < 2 * DEGREE, Abs(alpha - 120 * DEGREE) > 9 * DEGREE),
             "Move the wheel elsewhere, and let it roll along x: within 2°.",
         ),
     )
@@ -454,6 +462,7 @@ def pin_figure() -> Figure:
             Line("ghost", ((-0.5, HIGH), (0.5, HIGH))),
             *wheel_on_plate((0, 0, 0), look="ghost")[:1],
             Line("ghost", ((pin, HIGH), swung(t))),
+            Curve("path", point_of(swung(s), *HUB), s, 0, t),
             *wheel_on_plate(swung(t)),
             Point("target", (pin, HIGH), "your pin"),
         ),
@@ -479,11 +488,11 @@ def sliding_figure() -> Figure:
             Arrow("velocity", HUB, velocity, "hub"),
             *when(Abs(from_axle) > 0.01, Length(from_axle, foot(HUB, AXIS, Q), Q)),
         ),
-        readouts=(Readout(from_axle), Readout(wheels.across)),
+        readouts=(Readout(from_axle, digits=4), Readout(wheels.across, digits=4)),
         goal=(
             Goal(
                 And(Abs(from_axle) < 0.008, distance(Q, HUB) > 0.12),
-                "Put Q where nothing slides: a below 8 mm.",
+                "Put Q where nothing slides: a between −8 and 8 mm.",
             ),
             Goal(
                 And(Abs(from_axle) < 0.008, distance(Q, HUB) > 0.12, y_Q < 0.1),
@@ -502,12 +511,10 @@ def rolling_figure() -> Figure:
         drag="Q",
         where=(
             *WHEEL_2,
-            (gamma, 0),
             (r, RADIUS),
             (omega, SLOW),
             *ABOUT_Q,
-            (from_push, wheels.push_distance),
-            (rate, omega * from_push / r),
+            *assign(wheels.rolling_by_distance),
         ),
         shapes=(
             Line("left", along(HUB, ROLLS)),
@@ -558,6 +565,14 @@ def turn_left(steps: NamedSteps, rows: Any) -> tuple[Any, Any]:
     return P, [Piecewise((part / P[2, 2], one), (nan, True)) for part in (-P[1, 2], P[0, 2])]
 
 
+def band(kind: str, place: Any, direction: Any, half: float) -> Area:
+    """Return a strip along the line through a place, in the colour of its wheel."""
+    ends = (*along(place, direction), *along(place, direction)[::-1])
+    sides = (half, half, -half, -half)
+    corners = (point_of((*end, direction), 0, side) for end, side in zip(ends, sides, strict=True))
+    return Area(kind, tuple(corners))
+
+
 def lines_figure() -> Figure:
     """Draw up to three fixed wheels, their axle lines and their rows: where do the lines meet?"""
     steps = NamedSteps()
@@ -569,25 +584,37 @@ def lines_figure() -> Figure:
         ]
     C = steps.add("C", Matrix(rows))
     _, centre = turn_left(steps, C)
-    first_two = steps.add("rank_two", rank(C[:2, :]))
     now = Symbol("rank_now", real=True)
-    depends = (Symbol("no"), PARTS[1][3] - first_two + 1, PARTS[2][3] + first_two - now)
+    many, shared = sum(w[3] for w in PARTS), sum(w[3] for w in PARTS) - now > 0.5
+    meet = And(many > 1.5, now < 2.5)
     shapes: list[Any] = []
-    for w, axle in zip(PARTS, axles, strict=True):
-        there = w[3] > 0.5
-        shapes += when(there, Line("icr", along(w, axle)), arm_to(w))
-    shapes.append(plate((0, 0, 0)))
     for k, (w, axle) in enumerate(zip(PARTS, axles, strict=True)):
         there = w[3] > 0.5
+        shapes += when(there, band(KINDS[k], w, axle, 0.005), Line("icr", along(w, axle)))
+        shapes += when(And(there, meet), band(KINDS[k], w, axle, 0.016))
+        shapes += when(there, arm_to(w))
+    shapes.append(plate((0, 0, 0)))
+    for k, (w, axle) in enumerate(zip(PARTS, axles, strict=True)):
         wheel = things.wheel((*w[:2], axle - QUARTER), 0.1, 0.036, f"{KINDS[k]}2", height=0.01)
-        shapes += when(there, wheel, Label(KINDS[k], point_of((*w[:2], axle), -0.05), str(k + 1)))
-        high = (1 - k) * 0.057 + 0.04
-        if k:
-            shapes += when(And(there, depends[k] > 0.5), Label("ghost", (0.66, high), "no news"))
+        number = Label(KINDS[k], point_of((*w[:2], axle), -0.05), str(k + 1))
+        shapes += when(w[3] > 0.5, wheel, number)
+    shapes.append(
+        Sprite(
+            (0.56, 0.16, 0),
+            (Outline(box(0.44, 0.34, corner=0.02), "paper", "edge"),),
+            silhouette="",
+        )
+    )
+    for count in (1, 2, 3):
+        known = And(many > count - 0.5, many < count + 0.5)
+        for is_last_new in (True, False)[: 2 if count > 1 else 1]:
+            looks = KINDS[:count] if is_last_new else (*KINDS[: count - 1], "ghost")
+            written = Bracket(C[:count, :], (0.56, 0.2), "C_1", looks, digits=2, by_row=True)
+            shapes += when(And(known, Not(shared) if is_last_new else shared), written)
     return Figure(
         name="axle-lines",
         title="A plate on one to three fixed wheels, the lines of their axles, and their rows",
-        view=(-0.42, 0.72, -0.34, 0.36),
+        view=(-0.42, 0.8, -0.34, 0.36),
         ground="tiles",
         controls=(
             Choice(
@@ -602,7 +629,6 @@ def lines_figure() -> Figure:
         where=steps,
         shapes=(
             *shapes,
-            Bracket(C, (0.5, 0.04), "C_1", ("text",) * 3, digits=2),
             Point("icr", centre, "Q"),
         ),
         readouts=(
@@ -745,7 +771,7 @@ def robots_figure() -> Figure:
     return Figure(
         name="robots",
         title="Eight robots from above, each with the axle lines of its fixed and steered wheels",
-        view=(-0.5, 3.35, -1.95, 0.5),
+        view=(-0.5, 3.35, -2.2, 0.5),
         ground="tiles",
         shapes=tuple(shapes),
     )
@@ -754,25 +780,25 @@ def robots_figure() -> Figure:
 # --- Wheels that forbid nothing
 
 PUSH = 0.2  # m/s
-SORTS = ("fixed", "castor", "omni, 90°", "Mecanum, 45°", "ball")
-CHOSEN = symbols("is_fixed is_castor is_90 is_45 is_ball")  # 1 for the kind that is chosen
+SORTS = ("Mecanum, 45°", "omni, 90°", "castor", "ball", "fixed")
+CHOSEN = symbols("is_45 is_90 is_castor is_ball is_fixed")  # 1 for the kind that is chosen
 course = quantity("course", "rad", -pi, pi, "the direction in which a wheel is moved", r"\chi")
 
 
 def kinds_figure() -> Figure:
     """Draw a wheel of each kind as it is moved: the part that it rolls, and how it gives way."""
-    slanted, ball = CHOSEN[3:]
+    slanted, _, _, ball, fixed = CHOSEN
     with as_written():
         turn = pi / 4 * slanted
         tip = PUSH * cos(course), PUSH * sin(course)
         rolled, aside = tip[0] + tip[1] * tan(turn), tip[1] / cos(turn)
         parts = [Piecewise((part, ball < 0.5), (nan, True)) for part in (rolled, aside)]
         wheels_drawn = (
-            things.wheel((0, 0, 0), 0.2, 0.07, "", rolled, 0.01),
-            things.castor((0, 0, 0), 0, 0.1, "", rolled),
-            things.omni_wheel((0, 0, 0), "", rolled, 0.2),
             things.mecanum_wheel((0, 0, 0), "", rolled, 0.2),
+            things.omni_wheel((0, 0, 0), "", rolled, 0.2),
+            things.castor((0, 0, 0), 0, 0.1, "", rolled),
             things.ball_wheel((0, 0, 0), 0.06),
+            things.wheel((0, 0, 0), 0.2, 0.07, "", rolled, 0.01),
         )
         drawn = [
             thing
@@ -787,17 +813,17 @@ def kinds_figure() -> Figure:
         ground="tiles",
         controls=(
             Choice.one_hot("kind", CHOSEN, SORTS, "wheel"),
-            Slider.degrees(course, start=30, step=5, label="direction of the motion"),
+            Slider.degrees(course, start=0, step=5, label="direction of the push"),
         ),
         shapes=(
             *when(ball < 0.5, Line("left", along(ORIGIN, push))),
-            *when(CHOSEN[0] > 0.5, Line("icr", along(ORIGIN, QUARTER))),
+            *when(fixed > 0.5, Line("icr", along(ORIGIN, QUARTER))),
             *drawn,
             Arrow("left", ORIGIN, (parts[0], 0), "rolls"),
-            *when(CHOSEN[0] > 0.5, Line("error", ((rolled, 0), tip))),
+            *when(fixed > 0.5, Line("error", ((rolled, 0), tip))),
             *when(
-                And(CHOSEN[0] < 0.5, ball < 0.5),
-                Arrow("approximation", (rolled, 0), tip, ("gives way")),
+                And(fixed < 0.5, ball < 0.5, Abs(aside) > 0.002),
+                Arrow("approximation", (rolled, 0), tip, "gives way"),
             ),
             Arrow("velocity", ORIGIN, tip, "push"),
         ),
@@ -846,7 +872,7 @@ def castor_figure() -> Figure:
         readouts=(Readout(swivel),),
         goal=Goal(
             And(Abs(swivel) < 0.12, beta < 0),
-            "Turn it to where it stays, its wheel behind: below 0.12 rad/s.",
+            "Let it rest with its wheel behind the pivot: below 0.12 rad/s.",
         ),
     )
 
@@ -880,8 +906,7 @@ def rollers_figure() -> Figure:
             (r, RADIUS),
             (omega, SLOW),
             *ABOUT_Q,
-            (from_push, wheels.push_distance),
-            (rate, omega * from_push / (r * cos(gamma))),
+            *assign(wheels.swedish_by_distance),
         ),
         shapes=(
             plate((0, 0, 0), arm(alpha)),
@@ -1002,6 +1027,7 @@ def omni_figure() -> Figure:
         name="omni",
         title="A robot on three omni wheels seen from above, their rates under your hand",
         view=(-0.55, 1.35, -0.42, 1.06),
+        follow=now,
         ground="tiles",
         size="laboratory",
         controls=(
@@ -1017,7 +1043,7 @@ def omni_figure() -> Figure:
                 )
                 for k, (each, kind) in enumerate(zip(omni_rates, KINDS, strict=True), 1)
             ),
-            Slider.degrees(theta, start=30, step=5, label="heading at the start"),
+            Slider.degrees(theta, start=30, label="heading at the start"),
             Clock(t, 0.0, 12.0, label="time"),
         ),
         where=(*SIZES, *assign(wheels.omni_twist, wheels.omni_world)),
@@ -1149,7 +1175,7 @@ def mecanum_figure() -> Figure:
             ),
             *shapes,
         ),
-        readouts=(Readout(wheels.slip, "slip of 1 and 2; of 3 and 4 the other way"),),
+        readouts=(Readout(wheels.slip, "slip of wheels 1 and 2; of 3 and 4: minus this"),),
     )
 
 
@@ -1178,6 +1204,7 @@ wish_v = quantity("wish_v", "m/s", -0.3, 0.3, "wished speed ahead")
 wish_vy = quantity("wish_vy", "m/s", -0.3, 0.3, "wished speed to the left")
 wish_omega = quantity("wish_omega", "rad/s", -1, 1, "wished turn ω")
 WISH = Matrix([wish_v, wish_vy, wish_omega])
+DRAWN_AT = 2.5  # times the metres a second, so that a wish is not under a wheel
 MARK = (-0.45, 0.0)  # m: a corner of the drawn square; the robot starts at another one
 
 
@@ -1186,6 +1213,11 @@ def base_numbers(name: str) -> tuple[float, ...]:
     chosen = [*BASE_ROBOTS[name], *[NO_WHEEL] * COUNT][:COUNT]
     numbers = [[*wheel[:3], KIND_NAMES.index(wheel[3])] for wheel in chosen]
     return (list(BASE_ROBOTS).index(name), *(float(x) for wheel in numbers for x in wheel))
+
+
+def outside(left: Any, by: float) -> Any:
+    """Return a place farther to the left, or to the right if it is there."""
+    return left + Piecewise((by, left > -0.01), (-by, True))
 
 
 def built(steps: NamedSteps) -> list[Any]:
@@ -1264,11 +1296,14 @@ def laboratory_controls(wheels_built: list[Any]) -> tuple[Any, ...]:
             mine, is_kind(wheels_built[k - 1][0], *(set(MAKERS) - {"steered", "castor", "ball"}))
         )
         kinds.append(Choice(f"kind{k}", f"wheel {k} is", (other,), names, shown=mine))
-        places += [Slider(each, -0.4, 0.4, start=0.0, step=0.01, shown=False) for each in (dx, dy)]
+        places += [
+            Slider(each, -0.4, 0.4, 0.0, 0.01, label=f"wheel {k}: moved {way}", shown=False)
+            for each, way in zip((dx, dy), WAYS.values(), strict=True)
+        ]
         axles.append(Slider.degrees(turn, -90, 90, step=5, label=f"turn wheel {k}", shown=acts))
     wishes = (
-        Slider(each, -0.3, 0.3, start=0.15 * (each == wish_v), step=0.01, shown=False)
-        for each in WISH[:2]
+        Slider(each, -0.2, 0.2, begin, 0.01, label=f"wished speed {way}", shown=False)
+        for each, begin, way in zip(WISH[:2], (0.16, 0.0), WAYS.values(), strict=True)
     )
     return (
         Choice(
@@ -1304,7 +1339,10 @@ def laboratory_figure() -> Figure:
             for shape in built_wheel(steps, k, wheel, twist, end)
         ]
     now = Symbol("rank_now", real=True)
-    wish, made = (point_of(START, *pair) for pair in ((wish_v, wish_vy), twist[:2]))
+    wish, made = (
+        point_of(START, *(DRAWN_AT * speed for speed in pair))
+        for pair in ((wish_v, wish_vy), twist[:2])
+    )
     hands = []
     every = zip(wheels_built, WHEELS, SHIFTS, strict=True)
     for k, ((kind, place, _), base, shifts) in enumerate(every, 1):
@@ -1321,7 +1359,8 @@ def laboratory_figure() -> Figure:
     return Figure(
         name="wheel-laboratory",
         title="A robot seen from above, built of up to four wheels, and the motion that they allow",
-        view=(-0.85, 0.85, -0.52, 0.72),
+        view=(-0.7, 0.7, -0.45, 0.62),
+        follow=end,
         ground="tiles",
         size="laboratory",
         controls=laboratory_controls(wheels_built),
@@ -1339,11 +1378,18 @@ def laboratory_figure() -> Figure:
                 for k, (kind, place, _) in enumerate(wheels_built, 1)
                 for label in when(
                     kind > 0.5,
-                    Label("text", point_of(START, place[0] - 0.03, place[1] + 0.08), f"{k}"),
+                    Label(
+                        "text", point_of(START, place[0] - 0.02, outside(place[1], 0.09)), f"{k}"
+                    ),
                 )
             ),
         ),
-        handles=(*hands, Handle("the wish", wish, {wish_v: POINTER[1], wish_vy: -POINTER[0]})),
+        handles=(
+            *hands,
+            Handle(
+                "the wish", wish, {wish_v: POINTER[1] / DRAWN_AT, wish_vy: -POINTER[0] / DRAWN_AT}
+            ),
+        ),
         readouts=(
             Readout("now", "ways to move, as the wheels are now", 3 - now, digits=0),
             Readout("mobility", "degree of mobility δ_m", delta_m, digits=0),
@@ -1389,6 +1435,46 @@ def laboratory_figure() -> Figure:
                 "Drive the omni robot sideways along the square to its next corner, without a "
                 "turn: within 5 cm.",
             ),
+        ),
+    )
+
+
+# --- A robot to draw, for an exercise
+
+SPOTS = {"A": (0, 1), "B": (0, -1), "C": (1, 0), "D": (-1, 0), "E": (1, 1)}
+SET = [Symbol(f"wheel_at_{name}") for name in SPOTS]  # its kind, a place in KIND_NAMES
+
+
+def placed(robot: str) -> tuple[int, ...]:
+    """Return the kinds of the wheels at the five places, of a robot in the exercise's words."""
+    found = dict.fromkeys(SPOTS, "none")
+    for part in robot.split(", and "):
+        kind = next(name for name in MAKERS if name in part)
+        found |= dict.fromkeys(re.findall("[A-E]", part), kind)
+    return tuple(KIND_NAMES.index(kind) for kind in found.values())
+
+
+def drawn_figure() -> Figure:
+    """Draw the robots of the exercise on three numbers."""
+    spots = {name: (0.4 * a, 0.2 * b) for name, (a, b) in SPOTS.items()}
+    shapes: list[Any] = []
+    for spot, kind in zip(spots.values(), SET, strict=True):
+        shapes += when(kind > 0.5, Line("body", (ORIGIN, spot)))
+    shapes.append(Sprite((0, 0, 0), plate((0, 0, 0)).parts, 0.02, size=0.6))
+    for (name, spot), kind in zip(spots.items(), SET, strict=True):
+        for made in ("fixed", "steered", "castor", "ball"):
+            shapes += when(is_kind(kind, made), MAKERS[made]((*spot, 0)))
+        shapes.append(Point("ghost", spot, name))
+    short = {re.sub(r"\b(a|wheels?|at|and) ", "", robot): placed(robot) for robot in DRAWN_ROBOTS}
+    return Figure(
+        name="drawn-robot",
+        title="The places A to E around a robot's centre, and the wheels of a robot",
+        view=(-0.6, 0.7, -0.3, 0.32),
+        controls=(Choice("robot", "it has", tuple(SET), short),),
+        shapes=(
+            Arrow("text", ORIGIN, (0.6, 0), "x"),
+            Arrow("text", ORIGIN, (0, 0.29), "y"),
+            *shapes,
         ),
     )
 
@@ -1484,7 +1570,7 @@ def summary_figure() -> Figure:
         ground="tiles",
         where=LAST,
         shapes=(
-            *both_lines(("a", "p")),
+            *both_lines(("times ω: slides", "times ω: rolls")),
             Label("icr", (0.12, -0.12), "axle line"),
             Label("left", (0.32, 0.4), "push line"),
         ),
@@ -1527,6 +1613,7 @@ FIGURES = (
     turned_figure(),
     mecanum_figure(),
     laboratory_figure(),
+    drawn_figure(),
     mistakes_figure(),
     letters_figure(),
     summary_figure(),

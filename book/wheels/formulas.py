@@ -140,7 +140,8 @@ with as_written():
     )
 
     axle_distance = -x_Q * sin(alpha + beta) + y_Q * cos(alpha + beta) + l * sin(beta)
-    push_distance = x_Q * cos(SUM) + y_Q * sin(SUM) - l * cos(beta + gamma)
+    push_distance = x_Q * cos(alpha + beta) + y_Q * sin(alpha + beta) - l * cos(beta)
+    roller_distance = x_Q * cos(SUM) + y_Q * sin(SUM) - l * cos(beta + gamma)
 
     sliding_by_distance = Equation(
         name="wheels.sliding_by_distance",
@@ -152,8 +153,15 @@ with as_written():
     rolling_by_distance = Equation(
         name="wheels.rolling_by_distance",
         left=Matrix([from_push, rate]),
-        right=Matrix([push_distance, omega * from_push / (r * cos(gamma))]),
+        right=Matrix([push_distance, omega * from_push / r]),
         where=((from_push, push_distance),),
+    )
+
+    swedish_by_distance = Equation(
+        name="wheels.swedish_by_distance",
+        left=Matrix([from_push, rate]),
+        right=Matrix([roller_distance, omega * from_push / (r * cos(gamma))]),
+        where=((from_push, roller_distance),),
     )
 
     castor = Equation(
@@ -168,9 +176,6 @@ with as_written():
         right=v * sin(alpha + beta + gamma)
         - v_y * cos(alpha + beta + gamma)
         - omega * l * cos(beta + gamma),
-        textbook=MatMul(
-            Matrix([[sin(SUM), -cos(SUM), -l * cos(beta + gamma)]]), Matrix([v, v_y, omega])
-        ),
     )
 
     rate1, rate2, rate3 = omni_rates
@@ -214,14 +219,9 @@ with as_written():
     omni_world = Equation(
         name="wheels.omni_world",
         left=Matrix([x_dot, y_dot, theta_dot]),
-        right=Matrix(
-            [
-                omni_v * cos(theta) - omni_v_y * sin(theta),
-                omni_v * sin(theta) + omni_v_y * cos(theta),
-                omni_omega,
-            ]
-        ),
-        textbook=MatMul(rotation, J1_inverse, rolled_by_rates),
+        right=Matrix([v * cos(theta) - v_y * sin(theta), v * sin(theta) + v_y * cos(theta), omega]),
+        textbook=MatMul(rotation, Matrix([v, v_y, omega])),
+        where=((v, omni_v), (v_y, omni_v_y), (omega, omni_omega)),
     )
 
     omni_determinant = Equation(

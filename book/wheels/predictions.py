@@ -204,8 +204,9 @@ PREDICTIONS = (
     ),
     Prediction(
         "no-roll",
-        "A wheel with rollers at 45° is pushed. At which direction of the push, counted from where "
-        "it rolls to the left, does it not turn at all?",
+        "This wheel has rollers at 45°, drawn as they are on the floor. It is pushed in some "
+        "direction, counted from the rolling direction to the left. At which one does it not turn "
+        "at all?",
         Buttons(
             ("45°", "90°", "135°"),
             right=resting,
@@ -245,26 +246,26 @@ PREDICTIONS = (
             right=lost,
             assumptions={
                 "30° and −30°": "Then each wheel still has a lever, and the three are independent.",
-                "45° and −45°": "As much of each push goes round as goes outward or inward: the "
-                "robot can still be turned.",
+                "45° and −45°": "A part of each push still goes round the centre: a turn of the "
+                "robot still turns the wheels.",
             },
         ),
         explanation="At ±90° every wheel rolls straight away from the centre or towards it. The "
-        "robot may spin freely, and no rate tells.",
+        "robot may spin freely while all three rates are zero.",
         spoilers=("spin freely", "±90°"),
         covers="turned-wheels",
     ),
     Prediction(
         "one-faster",
         "Four Mecanum wheels turn at 2 rad/s each, and the robot drives ahead. Now the motor of "
-        "wheel 1 turns faster. Which wheels slip?",
+        "wheel 1 turns faster, and the robot takes the motion that fits all four rates best (least "
+        "squares). Which wheels slip?",
         Buttons(
             ("that one", "two of them", "all four"),
             right=slipping,
             assumptions={
                 "that one": "It pushes the robot to the side and round; the others must give way.",
-                "two of them": "Those that lie on its diagonal? The robot also turns, and all four "
-                "feel that.",
+                "two of them": "Those on its diagonal? The robot also turns: this moves all four.",
             },
         ),
         explanation="All four slip, and equally fast.",

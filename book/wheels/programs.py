@@ -8,7 +8,7 @@ from sympy import cos, pi, sin
 
 from book import things
 from book.differential_drive.formulas import r
-from book.motion.formulas import omega, theta, v, v_y, x_dot, y_dot
+from book.motion.formulas import omega, theta, to_world, v, v_y, x_dot, y_dot
 from book.wheels.exercises import (
     THREE,
     cos_alpha,
@@ -23,7 +23,7 @@ from book.wheels.exercises import (
     ways,
     wrong_rows,
 )
-from book.wheels.formulas import alpha, beta, gamma, l, omni_rates, omni_world
+from book.wheels.formulas import alpha, beta, gamma, l, omni_rates, omni_twist
 from courseware.answers import Unknown
 from courseware.figures import Arrow
 from courseware.programs.program import Program
@@ -72,8 +72,10 @@ def draw_motion(right, answer, theta, spoke):
 
 def draw_wanted(right, answer, wanted, heading, spoke, radius):
     """Draw the motion that rates make."""
-    made = dict(zip(omni_rates, answer, strict=True)) | {theta: heading, l: spoke, r: radius}
-    return draw_motion(wanted, np.array(omni_world.substitute(made)).ravel(), heading, spoke)
+    made = dict(zip(omni_rates, answer, strict=True)) | {l: spoke, r: radius}
+    twist = dict(zip((v, v_y, omega), omni_twist.substitute(made), strict=True))
+    found = np.array(to_world.substitute(twist | {theta: heading})).ravel()
+    return draw_motion(wanted, found, heading, spoke)
 
 
 PLACED = (

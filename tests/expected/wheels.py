@@ -13,7 +13,7 @@ def kinds_readouts(*columns):
     return {"rolled": found[:, 0], "aside": found[:, 1]}
 
 
-def of_kind(fixed, castor, straight, slanted, ball, course):
+def of_kind(slanted, straight, castor, ball, fixed, course):
     """Return the rolling of a wheel that looks along x, and the rest of its velocity, signed."""
     if ball:
         return [np.nan, np.nan]
@@ -50,8 +50,8 @@ def after_push(pose, push, locked):
 def trolley_readouts(*columns):
     found = []
     for locked, *pushes in zip(*columns, strict=True):
-        pose = after_push((0.0, 0.0, 0.0), pushes[:2], locked)
-        x, y, theta = after_push(pose, pushes[2:], locked) if locked else pose
+        pose = after_push((0.0, 0.0, 0.0), pushes[2:4] if locked else pushes[:2], locked)
+        x, y, theta = after_push(pose, pushes[4:], locked) if locked else pose
         found.append([np.hypot(x - 0.7, y - 0.85), theta])
     return dict(zip(("off", "turned"), np.transpose(found), strict=True))
 
@@ -237,7 +237,7 @@ BUILT = {"robot": "nothing yet", "kind1": "fixed"}
 PUSHES = ("push1_x", "push1_y", "push2_x", "push2_y")
 SWINGS = dict(zip(PUSHES, (0.46, 0.26, 0.24, 0.58), strict=True))
 SPECIALS = {
-    "trolley": [LOCKED, {**LOCKED, "push1_x": 0.4}, {**LOCKED, **SWINGS}, {"push2_y": 0.3}],
+    "trolley": [LOCKED, {**LOCKED, "push1_x": 0.4}, {**LOCKED, **SWINGS}, {"push0_y": 0.3}],
     "axle-lines": [
         {"wheels": kind, "turned": turned}
         for kind in ("one", "two on one line", "two in a row", "three")
@@ -352,8 +352,8 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
 GOALS = {
     "trolley": [
         (
-            [{"push1_x": 0.7, "push1_y": 0.84}, {"push1_x": 0.7, "push1_y": 0.76}],
-            [{"push1_x": 0.7, "push1_y": 0.74}, {**LOCKED, **SWINGS, "push2_y": 0.62}],
+            [{"push0_x": 0.7, "push0_y": 0.84}, {"push0_x": 0.7, "push0_y": 0.76}],
+            [{"push0_x": 0.7, "push0_y": 0.74}, {**LOCKED, **SWINGS, "push2_y": 0.62}],
         ),
         ([{**LOCKED, **SWINGS}], [SWINGS, {**LOCKED, **SWINGS, "push2_y": 0.62}]),
     ],
@@ -362,7 +362,7 @@ GOALS = {
             [{"wheel_alpha": QUARTER, "wheel_beta": 1.9 * DEGREE}],
             [
                 {"wheel_alpha": QUARTER, "wheel_beta": 2.1 * DEGREE},
-                {"wheel_alpha": 40 * DEGREE, "wheel_beta": 50 * DEGREE},
+                {"wheel_alpha": 120 * DEGREE, "wheel_beta": -30 * DEGREE},
             ],
         )
     ],

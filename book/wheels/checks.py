@@ -100,7 +100,7 @@ def rolled_by_turn(places: Array, centres: Array, omega: Array, r: Array) -> Arr
 def plainly_rolled_by_turn(places: Array, centres: Array, omega: Array, r: Array) -> Array:
     """The same of fixed wheels."""
     twists, turns = turn_about(centres), omega[..., None] * turn_about(centres)
-    made = [wheels.fixed(*place, size) for place, size in zip(places, r, strict=True)]
+    made = [wheels.fixed(a, b, c, size) for (a, b, c), size in zip(places, r, strict=True)]
     rates = [
         wheels.inverse([wheel], turn, slipping="ignore")[0]
         for wheel, turn in zip(made, turns, strict=True)

@@ -354,7 +354,7 @@ DEGREE = np.pi / 180
 GOALS = {  # figure → for each goal: settings that just reach it, and that just miss it
     "grip": [  # 1° of the base is 7 mm
         (
-            [gripped(0.049)],
+            [gripped(0.03)],
             [
                 gripped(0.051),
                 {**gripped(), "shown": 1.0},

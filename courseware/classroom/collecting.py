@@ -17,7 +17,6 @@ from courseware.errors import CourseError
 
 NEEDED = {"student", "exercise", "answer"}
 OTHERS = {"numbers", "result"}  # columns of a key and of grades
-OF_ANOTHER_VERSION = "answers to another version of the exercises (they count)"
 SYSTEM_FILES = re.compile(  # left behind; any other hidden file may be an answer
     r"\._|~\$|(__MACOSX|\.DS_Store|\.git|\.ipynb_checkpoints|Thumbs\.db|desktop\.ini)$",
     re.IGNORECASE,
@@ -73,10 +72,6 @@ class Collected:
         if problem:
             self.problems.note(problem, path, line, comment)
             return
-        version = row.get("version", "")
-        if version not in ("", self.key.version):
-            words = f"version {version}, the key's is {self.key.version}"
-            self.problems.note(OF_ANOTHER_VERSION, path, line, words)
         time, counts = self._read_time(path, line, row), (row.get(name, "") for name in COUNTS)
         answer = Answer(row["answer"], time, *counts)
         task = folded(row["student"]), row["exercise"]

@@ -5,13 +5,8 @@ Until it is pressed a page has only `run_buttons.js`, which adds the buttons. Th
 Python, off the page's thread) and `cells.py` (runs a cell in it, and judges a program).
 `courseware.run.page` puts these files into the site.
 
-A page runs the cells that it shows: a test refuses a name that only a cell with `remove-input`
-defines. Another test runs them all and compares with the stored outputs.
-
-The worker is ours because others load more than a page needs. thebe is kept at an old Pyodide and
-loads parts of JupyterLab. The kernel of JupyterLite speaks Jupyter's protocol: it needs these parts
-too, and IPython, 14 wheels before the first line runs. Ours is 7 kB, shows outputs in the page's
-style, and imports a package when a cell uses it.
+A page runs the cells that it shows. The worker is ours, 7 kB: thebe is kept at an old Pyodide, and
+the kernel of JupyterLite needs parts of JupyterLab and 14 wheels before the first line runs.
 """
 
 import hashlib

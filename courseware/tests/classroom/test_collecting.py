@@ -6,8 +6,6 @@ import pytest
 from commands import HEADING, ONE, ONLY, results, run, saved
 from declared import table
 
-from courseware.practice import variants
-
 
 def test_bad_lines_are_told_and_the_good_ones_graded(folder, capsys):
     (folder / "roster.csv").write_text("student\nAda\nAda \n\nBob\n")
@@ -121,14 +119,6 @@ def test_the_wrong_course_alone_is_refused(keyed, capsys):
     assert sorted(path.name for path in keyed.iterdir()) == [
         "answers.csv", "key.csv", "roster.csv",
     ]  # fmt: skip
-
-
-def test_answers_to_another_version_are_told_and_count(keyed, capsys):
-    text = saved("Ada", {ONE: "7"}).replace(variants.version(), "0ldbank")
-    (keyed / "answers.csv").write_text(text)
-    assert run("grade", "answers.csv", "--key", "key.csv") == 1
-    assert "another version of the exercises (they count): 1" in capsys.readouterr().err
-    assert results()["Ada", ONE] == "wrong"
 
 
 @pytest.mark.parametrize("files", [{}, {"a.csv": ""}, {"a.csv": HEADING}, {"a.pdf": "%PDF"}])

@@ -929,7 +929,7 @@ def rollers_figure() -> Figure:
             Point("icr", Q, "Q"),
         ),
         handles=q_handle(),
-        readouts=(Readout(from_push), Readout(rate)),
+        readouts=(Readout(gamma, digits=0), Readout(from_push), Readout(rate)),
         goal=Goal(
             And(Abs(rate) < 0.06, Abs(gamma) > 0.1, distance(Q, HUB) > 0.12),
             "A Mecanum wheel, and the plate turns: let the wheel rest, below 0.06 rad/s.",

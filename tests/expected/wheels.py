@@ -64,7 +64,10 @@ def rolling_about(x, y, rate=0.5, gamma=0.0):
 
 def rollers_readouts(gamma, x, y):
     rows = zip(gamma, x, y, strict=True)
-    return {"wheel_rate": np.array([rolling_about(p, q, 0.5, g) for g, p, q in rows])}
+    return {
+        "wheel_gamma": gamma,
+        "wheel_rate": np.array([rolling_about(p, q, 0.5, g) for g, p, q in rows]),
+    }
 
 
 def place_readouts(alpha, beta):

@@ -65,7 +65,7 @@ from book.letters import put_back
 from book.motion import formulas as motion
 from book.motion.formulas import dt, omega, theta, theta_dot, theta_next, v, x, x_dot, y, y_dot
 from book.things.graph import Graph, LinearGraph
-from courseware.equations import as_written, declarations, substitute
+from courseware.equations import declarations, substitute
 from courseware.figures import (
     POINTER,
     AngleArc,
@@ -145,12 +145,11 @@ def along(pose: Any, steered: Any, way: Any, long: Any = L) -> Any:
 
 def arc_to(pose: Any, place: Any, ahead: int = 1) -> tuple[Any, Any]:
     """Return the steering and the way of the arc to a place, ahead (1) or back (−1)."""
-    with as_written():  # SymPy contradicts itself now and then about the signs of long expressions
-        dx, dy = place[0] - pose[0], place[1] - pose[1]
-        far = ahead * (dx * cos(pose[2]) + dy * sin(pose[2]))
-        left = dy * cos(pose[2]) - dx * sin(pose[2])
-        half, chord = atan2(left, far), sqrt(far**2 + left**2)
-        return atan(2 * L * sin(half) / chord), chord / sinc(half)
+    dx, dy = place[0] - pose[0], place[1] - pose[1]
+    far = ahead * (dx * cos(pose[2]) + dy * sin(pose[2]))
+    left = dy * cos(pose[2]) - dx * sin(pose[2])
+    half, chord = atan2(left, far), sqrt(far**2 + left**2)
+    return atan(2 * L * sin(half) / chord), chord / sinc(half)
 
 
 REAR, FRONT, WIDTH = -0.78, 3.3, 1.72  # m: ends of the body, from P, and its width

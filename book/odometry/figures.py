@@ -251,7 +251,7 @@ def dark_figure() -> Figure:
         goal=tuple(
             Goal(
                 And(lit, Abs(minutes - WAYS[name][0]) < 1),
-                f"Bring the ghost to the dock, the {name} way: within {NEAR} cm.",
+                f"Ghost to the dock, {name} way: within {NEAR} cm.",
             )
             for name in WAYS
         ),

@@ -5,6 +5,7 @@ The two sides are written inside `with as_written():`, so that SymPy keeps (v_R 
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from math import prod
 from typing import Any
 
 import sympy as sp
@@ -83,10 +84,15 @@ def free_symbols(part: Any) -> set[sp.Symbol]:
 
 
 def substitute(expression: Any, values: Mapping[sp.Symbol, Any]) -> Any:
-    """Replace symbols in an expression or matrix and leave its form alone."""
+    """Replace symbols in an expression or matrix and leave its form alone.
+
+    Whole numbers are multiplied: of −1·0 SymPy says by turns that it is even and that it is not.
+    """
     replacements = {symbol: sp.sympify(value) for symbol, value in values.items()}
     with as_written():
-        return expression.xreplace(replacements)
+        found = expression.xreplace(replacements)
+        products = [m for m in found.atoms(sp.Mul) if all(k.is_Integer for k in m.args)]
+        return found.xreplace({m: sp.Integer(prod(map(int, m.args))) for m in products})
 
 
 def all_equations() -> dict[str, Equation]:

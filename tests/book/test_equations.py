@@ -20,7 +20,7 @@ from verification import (
 from courseware import equations
 from courseware.course import course, get_members
 from courseware.equations.declared_checks import Check, declared_checks
-from courseware.equations.equation import Equation, as_written
+from courseware.equations.equation import Equation, as_written, substitute
 from courseware.equations.javascript import compile_javascript
 from courseware.equations.latex import render_latex
 from courseware.equations.notebook import MIME
@@ -365,6 +365,8 @@ def test_a_symbol_has_a_key_and_a_look(monkeypatch):
 def test_putting_in_leaves_the_form_alone():
     left, right = SPEED.symbols
     assert render_latex(SPEED.substitute({right: left})) == r"\frac{v_{L} + v_{L}}{2}"
+    difference = substitute(left - right, {right: 0})
+    assert not difference.atoms(sp.Mul)  # SymPy contradicts itself about −1·0
 
 
 # Named steps

@@ -24,7 +24,7 @@ pytestmark = pytest.mark.browser
 
 AXE = Path(__file__).parent / "vendor" / "axe" / "axe.min.js"
 LIMIT = 400_000  # bytes, compressed
-HIGHER = {"grip": 600, "one-axis": 600}  # pixels on a phone: an arm has three joints
+HIGHER = {"one-axis": 640, "street-corner": 570}  # pixels on a phone, with the bar of a goal
 SOLID = {"elbow_arm/elbow_arm.html": 460_000}  # seven pictures of a solid arm
 DESCRIPTION = 160  # characters that search engines show
 GENERATED = ("404", "genindex", "py-modindex", "search")

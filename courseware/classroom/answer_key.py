@@ -122,7 +122,7 @@ def read_key(path: Path, problems: Problems) -> Key:
     for line, row in read_rows(path, problems, NEEDED):
         task = folded(row["student"]), row["exercise"]
         if row["exercise"] not in all_exercises():
-            problems.note(UNUSABLE, path, line, f"there is no exercise {row['exercise']!r}")
+            problems.note(UNUSABLE, path, line, f"there is no exercise {row['exercise']!r}", row)
         else:
             rows[task] = (line, row)
     if not rows:

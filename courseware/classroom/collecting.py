@@ -4,35 +4,42 @@ A table is known by its columns. Of several answers the newest counts, by the ti
 """
 
 import re
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from difflib import get_close_matches
 from pathlib import Path
-from typing import NamedTuple
 
 from courseware.classroom.answer_key import Key, Task, folded
 from courseware.classroom.tables import Problems, Row, read_rows
 from courseware.errors import CourseError
+from courseware.practice.saving import OTHER_COLUMNS
 
 NEEDED = {"student", "exercise", "answer"}
-OTHERS = {"numbers", "result"}  # columns of a key and of grades
+OF_ANOTHER_VERSION = "answers to another version of the exercises (they count)"
 SYSTEM_FILES = re.compile(  # left behind; any other hidden file may be an answer
     r"\._|~\$|(__MACOSX|\.DS_Store|\.git|\.ipynb_checkpoints|Thumbs\.db|desktop\.ini)$",
     re.IGNORECASE,
 )
 NEAR = 0.8  # of 1: how much alike names are that one person may have written
-COUNTS = ("tries", "help")
 NEVER = datetime.min.replace(tzinfo=UTC)
 
 
-class Answer(NamedTuple):
-    """An answer that was handed in, with its time."""
+@dataclass(frozen=True)
+class Answer:
+    """An answer that was handed in, with its time and place."""
 
     answer: str
     time: datetime
+    path: Path
+    line: int
     tries: str = ""
     help: str = ""
+
+    def __str__(self) -> str:
+        when = "without a time" if self.time == NEVER else f"of {self.time:%Y-%m-%d %H:%M:%S}"
+        return f"{self.answer!r} {when}"
 
 
 @dataclass
@@ -52,31 +59,35 @@ class Collected:
 
     def read(self, path: Path) -> None:
         """Take the answers of a file; one that cannot be read does not stop the others."""
+        others, before = Counter[str](), len(self.problems)
         try:
             for line, row in read_rows(path, self.problems):
-                if not row.keys() >= NEEDED or row.keys() & OTHERS:
-                    words = f"columns {', '.join(row)}"
-                    self.problems.note("tables that are no answers, left out", path, comment=words)
-                    return
-                self.files.add(path)
-                self._take(path, line, row)
+                if row.keys() >= NEEDED and not row.keys() & {*OTHER_COLUMNS}:
+                    self._take(path, line, row)
+                else:
+                    others[", ".join(row)] += 1
         except CourseError as error:
             self.problems.note("files that cannot be read", path, comment=str(error))
-            return
-        if path not in self.files:
+        for columns, count in others.items():
+            words = f"columns {columns}, {count:,} lines"
+            self.problems.note("tables that are no answers, left out", path, comment=words)
+        if path not in self.files and len(self.problems) == before:
             self.problems.note("files without an answer", path)
 
     def _take(self, path: Path, line: int, row: Row) -> None:
         """Take an answer that fits a line of the key; note another."""
+        self.files.add(path)
         problem, comment = self._find_problem(row)
         if problem:
-            self.problems.note(problem, path, line, comment)
+            self.problems.note(problem, path, line, comment, row)
             return
-        time, counts = self._read_time(path, line, row), (row.get(name, "") for name in COUNTS)
-        answer = Answer(row["answer"], time, *counts)
-        task = folded(row["student"]), row["exercise"]
-        if task not in self.answers or answer.time >= self.answers[task].time:
-            self.answers[task] = answer
+        version = row.get("version", "")
+        if version not in ("", self.key.version):
+            words = f"version {version}, the key's is {self.key.version}"
+            self.problems.note(OF_ANOTHER_VERSION, path, line, words, row)
+        counts = row.get("tries", ""), row.get("help", "")
+        answer = Answer(row["answer"], self._read_time(path, line, row), path, line, *counts)
+        self._keep(answer, row)
 
     def _find_problem(self, row: Row) -> tuple[str, str]:
         """Return why an answer fits no line of the key, as kind and comment; "" if it fits one."""
@@ -98,12 +109,26 @@ class Collected:
             return "empty answers", f"{name}, {exercise}"
         return "", ""
 
+    def _keep(self, answer: Answer, row: Row) -> None:
+        """Keep the newer of two answers; of two without a time, or of one, the later read."""
+        name, exercise = row["student"], row["exercise"]
+        task = folded(name), exercise
+        new, old = answer, self.answers.get(task)
+        if old and new.time < old.time:
+            new, old = old, new
+        self.answers[task] = new
+        if old and old.answer != new.answer:
+            why = "a newer one" if new.time > old.time else "one read later (without a time)"
+            words = f"{name}, {exercise}: {old}, counts {new} ({new.path}, line {new.line})"
+            replaced = {**row, "answer": old.answer}
+            self.problems.note(f"answers replaced by {why}", old.path, old.line, words, replaced)
+
     def _read_time(self, path: Path, line: int, row: Row) -> datetime:
         text = row.get("time", "")
         try:
             time = datetime.fromisoformat(text) if text else NEVER
         except ValueError:
-            self.problems.note("times that cannot be read", path, line, repr(text))
+            self.problems.note("times that cannot be read", path, line, repr(text), row)
             return NEVER
         return time if time.tzinfo else time.replace(tzinfo=UTC)
 

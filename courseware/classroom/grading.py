@@ -20,7 +20,7 @@ RESULTS = ("right", "partly", "wrong", "unread", "missing")
 TOTALS = ("student", *RESULTS)
 ENDINGS = ("-students.csv", "-problems.csv")  # of files beside the grades
 MOST_SHOWN = 12  # mistakes
-NOTHING = Answer("", NEVER)
+NOTHING = Answer("", NEVER, Path(), 0)
 MISSING = judging.Verdict("missing", "", "")
 
 
@@ -110,7 +110,7 @@ def _candidates(
                 found[numbers] = find_candidates(all_exercises()[name], json.loads(numbers))
         except Exception as error:  # a formula may raise anything on numbers that are not its own
             words = f"{name} cannot be computed from {numbers}: {type(error).__name__}: {error}"
-            problems.note(UNUSABLE, key.path, line, words)
+            problems.note(UNUSABLE, key.path, line, words, row)
     return found
 
 

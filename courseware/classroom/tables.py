@@ -1,7 +1,7 @@
-"""Tables as CSV, as spreadsheets write them, and the problems that they have."""
+"""Tables as CSV, read whatever wrote them, and the problems that they have."""
 
-from collections.abc import Iterator, Sequence
-from itertools import zip_longest
+from codecs import BOM_UTF16_BE, BOM_UTF16_LE
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -9,6 +9,12 @@ from courseware.errors import CourseError
 from courseware.script import engine
 
 Row = dict[str, str]
+
+BAD_LINES = {
+    "unclosed": "lines in which a quotation mark is not closed, or does not end its cell",
+    "encoding": "lines not in UTF-8: save the file as CSV UTF-8",
+    "long": "lines with more cells than the heading",
+}
 SHOWN = 3  # problems of a kind in a file, when they are printed
 
 
@@ -18,6 +24,9 @@ class Problem(NamedTuple):
     problem: str
     file: Path
     line: int | str
+    student: str
+    exercise: str
+    answer: str
     comment: str
 
     def __str__(self) -> str:
@@ -28,9 +37,12 @@ class Problem(NamedTuple):
 class Problems(list[Problem]):
     """All problems, in the order in which they were found."""
 
-    def note(self, kind: str, path: Path, line: int = 0, comment: str = "") -> None:
+    def note(
+        self, kind: str, path: Path, line: int = 0, comment: str = "", row: Mapping[str, str] = {}
+    ) -> None:
         """Note a problem of a line, or of a whole file (line 0)."""
-        self.append(Problem(kind, path, line or "", comment))
+        student, exercise, answer = (row.get(n, "") for n in ("student", "exercise", "answer"))
+        self.append(Problem(kind, path, line or "", student, exercise, answer, comment))
 
     def lines(self) -> list[str]:
         """Return what to print: each kind with its count, and the first of it in each file."""
@@ -54,28 +66,36 @@ def read_rows(
 
     Bad lines are noted. A table without the `needed` columns is refused.
     """
-    (_, heading), *rows = engine.call("courseware.readTable", read_text(path)) or [(1, [])]
-    heading = [name.lower() for name in heading]
-    if missing := [name for name in needed if name not in heading]:
+    heading = list[str]()
+    for line, kind, cells in engine.call("courseware.readTable", read_text(path)):
+        if kind == "row":
+            yield line, dict(zip(heading, cells, strict=True))
+        elif kind == "heading":
+            heading = cells
+            _require(path, needed, heading)
+        else:
+            words = f"{len(cells)} cells, the heading has {len(heading)}" * (kind == "long")
+            problems.note(BAD_LINES[kind], path, line, words)
+    _require(path, needed, heading)  # of an empty table, too
+
+
+def _require(path: Path, needed: Sequence[str], heading: Sequence[str]) -> None:
+    missing = [name for name in needed if name not in heading]
+    if missing:
         raise CourseError(
             f"{path} has no column {', '.join(missing)}; needed are {', '.join(needed)}, "
             f"its first line has {', '.join(filter(None, heading)) or 'nothing'}"
         )
-    for line, cells in rows:
-        if len(cells) > len(heading):
-            words = f"{len(cells)} cells, the heading has {len(heading)}"
-            problems.note("lines with more cells than the heading", path, line, words)
-        else:
-            yield line, dict(zip_longest(heading, cells, fillvalue=""))
 
 
 def read_text(path: Path) -> str:
-    """Return the text of a file in UTF-8."""
+    """Return a file as text; bytes that are not UTF-8 are kept as surrogates."""
     try:
-        return path.read_text("utf-8-sig")
+        found = path.read_bytes()
     except OSError as error:
         raise CourseError(f"{path} cannot be read: {error.strerror}") from error
-    except UnicodeDecodeError as error:
-        raise CourseError(
-            f"{path} is no text in UTF-8: unpack an archive, save a spreadsheet as CSV UTF-8"
-        ) from error
+    if found.startswith((BOM_UTF16_LE, BOM_UTF16_BE)):
+        return found.decode("utf-16", "replace")
+    if b"\0" in found[:1000]:
+        raise CourseError(f"{path} is no text: unpack an archive, save a spreadsheet as CSV UTF-8")
+    return found.decode("utf-8", "surrogateescape")

@@ -1,7 +1,7 @@
 // On a web page: one desk for all exercises, the student's name and answers in the browser.
 
 import { escapeHtml } from "../units/text.js";
-import { downloadAnswers, parseAnswers } from "./answer_file.js";
+import { decodeTable, downloadAnswers, parseAnswers } from "./answer_file.js";
 import { startProgress } from "./progress.js";
 import { foldName } from "./variants.js";
 import { ExerciseBox, unpack } from "./exercise.js";
@@ -17,6 +17,7 @@ const NOTE = "For checking yourself. Your name picks your numbers; it and your a
   + "Whole turns more or less do not matter in an angle. Safari forgets what it keeps after seven days "
   + "without a visit: save your answers.";
 const CLEAR = "Clear my answers";
+const NO_FILE = "If no file comes, the frame that shows this page forbids it: open the page in a tab of its own.";
 const NOTHING_KEPT = "This browser keeps nothing more: save your answers as a file before you leave.";
 
 export const renderDesk = (course) => `<div class="rk-row"><label for="rk-student">Name</label>`
@@ -177,13 +178,13 @@ class Desk {
       this.tell(NAMELESS);
       return this.field.focus();
     }
-    this.tell(`Saved as ${downloadAnswers(this.element.dataset, this.name.trim(), this.mine())}.`);
+    this.tell(`Saved as ${downloadAnswers(this.element.dataset, this.name.trim(), this.mine())}. ${self === top ? "" : NO_FILE}`);
   }
 
   // Answers of a file that was saved here or elsewhere: each box checks its own again. A newer one
   // counts, as it does when graded, and an older one if it is right; the same one changes nothing.
   async load(input) {
-    const all = parseAnswers(await input.files[0].text());
+    const all = parseAnswers(decodeTable(new Uint8Array(await input.files[0].arrayBuffer())));
     const rows = all.filter(({ course = "" }) => ["", foldName(this.course)].includes(foldName(course)));
     input.value = "";
     if (!rows.length) return this.tell("There are no answers for this course in that file.");

@@ -20,7 +20,7 @@ from courseware.equations.text import format_formula
 from courseware.practice import judging, variants
 from courseware.practice.bank import all_exercises, find_exercise
 from courseware.practice.exercises import Exercise
-from courseware.practice.saving import GUARD, UNGUARD
+from courseware.practice.saving import GUARD, OTHER_COLUMNS, UNGUARD
 from courseware.script import engine
 
 MIME = "application/vnd.courseware.exercise+json"
@@ -34,6 +34,7 @@ def constants() -> dict[str, Any]:
     return {
         **shared,
         "GUARD": GUARD,
+        "OTHER_COLUMNS": OTHER_COLUMNS,
         "UNGUARD": UNGUARD,
         "TOPICS": chapters,
     }

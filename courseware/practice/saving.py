@@ -13,6 +13,7 @@ ANSWER_COLUMNS = (
     *("kind", "course", "version", "time", "student", "exercise", "answer"),
     *("tries", "help"),  # how often it was checked, how many hints and steps were opened
 )
+OTHER_COLUMNS = ("numbers", "problem", "result")  # of a key, problems and grades
 # Spreadsheets begin a cell, and so a formula, behind a semicolon, too, where that separates cells,
 # also within quotation marks that they take for none
 START, FORMULA = r'(^|[;\t\r\n])([ "]*)', "(?='*[=+@＝＋－＠\t\r\n-])"

@@ -9,13 +9,14 @@ from itertools import product
 import numpy as np
 import pytest
 import sympy as sp
-from declared import EXERCISES, FIGURES, PREDICTIONS, each
+from declared import EXERCISES, FIGURES, MISTAKES, PREDICTIONS, each
 from figure_numbers import TABLES, expected, point
 
 from courseware.answers import Unknown, angle, integer, matrix
 from courseware.course import course
 from courseware.figures import Figure
 from courseware.practice import Exercise, Solution, candidates, judging
+from courseware.practice.candidates import Candidate
 from courseware.predictions import Buttons, Number, Prediction
 from courseware.script import engine
 
@@ -243,3 +244,12 @@ def test_what_is_told_first(exercise, typed, says, not_said):
     found = feedback_on(exercise, typed)
     assert says in found
     assert not_said not in found
+
+
+def test_answers_are_alike_up_to_both_their_tolerances():
+    """Then numbers are not dealt: what is typed between them could mean either."""
+    mistake = MISTAKES["M12"]
+    for size, alike in ((1.98, "right and M12"), (2.02, "")):
+        exercise = asking(METRES, right=0.2, wrong={mistake: lambda: 0.2})
+        other = Candidate("M12", ((0.2 + size * 6e-4,),))
+        assert candidates.find_clash(exercise, [Candidate("right", ((0.2,),)), other]) == alike

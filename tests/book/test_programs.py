@@ -1,5 +1,6 @@
 """Programs that students write: right ones pass, wrong ones get their input and their name."""
 
+import ast
 import linecache
 import re
 import sys
@@ -11,6 +12,7 @@ from program_mutants import mutants
 import book  # noqa: F401 (opens the course)
 from courseware import explaining, judge, programs
 from courseware.course import course
+from courseware.errors import CourseError
 from courseware.programs.picture import answer_figure, render_answer
 from courseware.programs.program import all_programs
 from courseware.programs.storing import draw_cases, store
@@ -280,6 +282,11 @@ def test_a_number_from_outside_is_asked_about():
     assert "It takes L_car from outside of the function" in told
 
 
+def test_a_whole_division_is_asked_about_in_a_lambda_too():
+    told = judged(STEP, "car_step = lambda pose, v, phi, L, dt: pose // 2")
+    assert "Its // drops all that comes after the point" in str(told)
+
+
 RETURN = STEP.solution.partition("\n")[2]
 ORDINARY = {
     "a star import": f"from numpy import *\n{STEP.solution.replace('np.pi', 'pi')}",
@@ -382,3 +389,13 @@ def test_what_is_asked_has_hints_that_open_one_another():
         "Hint 3",
         "A solution",
     ]
+
+
+def test_a_name_that_there_is_not_is_refused():
+    with pytest.raises(CourseError, match="there is no program 'bicycle-p9'"):
+        programs.show("bicycle-p9")
+
+
+def test_the_mutants_are_many():
+    found = [*mutants("def f(x, y):\n    return np.sin(x) + 2 * y\n")]
+    assert len(found) == len({ast.unparse(ast.parse(each)) for each in found}) == 5

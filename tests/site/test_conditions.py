@@ -3,7 +3,7 @@
 import re
 
 import pytest
-from browser import settled, watched_page
+from browser import COME_ALIVE, settled, watched_page
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
@@ -71,6 +71,50 @@ def test_a_copied_formula_is_its_tex(server, chromium):
         display = page.locator("div.math:has(.katex-mathml)").first
         for tex in display.locator("annotation").all_text_contents():
             assert tex in display.evaluate(COPY)
+
+
+# what scripts add, by kind
+MADE = """() => {
+  const count = {};
+  const kinds = "button, .rk-bar, .rk-run, .rk-handles circle, .site-results, .rk-live, .rk-veiled";
+  for (const each of document.querySelectorAll(kinds)) {
+    const kind = `${each.tagName} ${each.getAttribute("class")} ${each.textContent}`;
+    count[kind] = (count[kind] ?? 0) + 1;
+  }
+  return count;
+}"""
+
+
+# a screen above and below
+NEAR_ONES_LIVE = """() => [...document.querySelectorAll(".rk-figure")].every((figure) => {
+  const { top, bottom, width } = figure.getBoundingClientRect();
+  const isFar = !width || bottom < -innerHeight || top > 2 * innerHeight;
+  return isFar || figure.dataset.size === "still" || figure.courseware;
+})"""
+
+
+def answer_with(reply):
+    return lambda route: route.fulfill(**reply)
+
+
+@pytest.mark.parametrize("name", [CHAPTER, "practice.html"])
+def test_a_page_that_the_browser_has_saved_comes_alive_once(name, server, chromium):
+    """Its HTML is what the scripts had made of it."""
+    with watched_page(chromium, server, reduced_motion="reduce") as (page, watch):
+        made = []
+        for _ in range(2):
+            settled(page, server + name)
+            figures = page.locator(".rk-figure:visible")
+            for k in range(min(3, figures.count())):
+                figures.nth(k).evaluate(COME_ALIVE)
+                page.wait_for_function(NEAR_ONES_LIVE)
+            page.evaluate("() => scrollTo(0, 0)")
+            made.append(page.evaluate(MADE))
+            reply = {"body": page.content(), "content_type": "text/html"}
+            page.route("**/" + name, answer_with(reply))
+        assert made[0] == made[1]
+        assert name != CHAPTER or any("copybtn" in kind for kind in made[0])
+        assert not watch.errors + watch.strangers
 
 
 def test_every_file_that_a_page_fetches_names_its_version(server, chromium):

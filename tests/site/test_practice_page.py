@@ -2,6 +2,7 @@
 
 import csv
 import io
+import json
 import re
 from datetime import UTC, datetime, timedelta
 from html import unescape
@@ -235,6 +236,49 @@ def test_with_a_name_the_numbers_come_chapter_by_chapter(server, chromium):
         page.locator(f"#{last.get_attribute('id')}[data-variant]").wait_for()
         assert "rk-stale" not in last.get_attribute("class")
         assert not watch.errors + watch.strangers
+
+
+def test_in_a_frame_that_forbids_files_and_dialogs_that_is_said(server, chromium):
+    frame = '<iframe sandbox="allow-scripts allow-same-origin" width="1000" height="900" src="{}">'
+    with watched_page(chromium, server) as (page, _):
+        page.goto(server + "search.html")
+        page.set_content(frame.format(server + "practice.html"))
+        inner = page.frame_locator("iframe")
+        inner.locator("#rk-student").fill("Ada")
+        first = inner.locator(".rk-exercise").first
+        first.locator(".rk-row input").fill("1")
+        first.locator(".rk-row input").press("Enter")
+        inner.locator(".rk-menu summary").click()
+        inner.locator(".rk-export").click()
+        inner.get_by_text("the frame that shows this page forbids it").wait_for()
+        for _ in range(2):
+            inner.locator(".rk-clear").click()
+        expect(first.locator(".rk-row input")).to_have_value("")
+
+
+def test_the_entries_of_a_matrix_fit_at_four_hundred_percent(server, chromium):
+    over = """() => [...document.querySelectorAll(".rk-grid")].filter((grid) => {
+      grid.open = true;
+      return grid.scrollWidth > grid.clientWidth
+        || grid.querySelector("table").getBoundingClientRect().right
+          > grid.closest(".rk-exercise").getBoundingClientRect().right;
+    }).length"""
+    with watched_page(chromium, server, 320) as (page, _):
+        page.goto(server + "practice.html")
+        assert page.locator(".rk-grid").count() > 0
+        assert page.evaluate(over) == 0
+
+
+def test_a_browser_is_asked_not_to_tidy_up_once_there_are_answers(server, chromium):
+    with watched_page(chromium, server) as (page, _):
+        page.add_init_script(
+            "globalThis.asked = 0; navigator.storage.persist = async () => { asked += 1; }"
+        )
+        page.goto(server + "practice.html")
+        page.locator(".rk-live").first.wait_for()
+        assert page.evaluate("() => asked") == 0
+        answer(page, FIRST, "1")
+        assert page.evaluate("() => asked") > 0
 
 
 def test_who_gives_no_name_is_told(page):
@@ -592,6 +636,14 @@ def test_a_full_browser_is_told_of(chromium, server):
         assert not watch.errors
 
 
+def test_answers_do_not_stand_in_clear(page):
+    html = page.content()
+    mine = variant(FIRST, "")
+    right = f"{mine.candidates[0].rows[0][0]:.3f}"
+    assert right not in html.replace("\u2212", "-")
+    assert json.dumps("M12") not in html
+
+
 def test_keyboard_and_screen_reader(page):
     first = box(page, FIRST)
     field = first.get_by_label("Answer, one number: ω in rad/s")
@@ -641,6 +693,33 @@ def test_a_teacher_s_sheet_keeps_and_saves_what_is_typed(chromium, tmp_path, mon
     [graded] = table("grades.csv")
     assert (graded["student"], graded["answer"]) == ("Ada", "1/3")
     assert graded["result"] != "missing"
+
+
+def test_two_tabs_of_a_sheet_lose_no_answer(chromium, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    sheet = write_sheet(FIRST, "euler-1")
+    with watched_page(chromium, tmp_path.as_uri()) as (page, watch):
+        page.goto(sheet)
+        other = page.context.new_page()
+        other.goto(sheet)
+        page.fill(f"[name={FIRST}]", "1/3")
+        expect(other.locator(f"[name={FIRST}]")).to_have_value("1/3")
+        other.fill("[name=euler-1]", "[1, 2, 3]")
+        expect(page.locator("[name=euler-1]")).to_have_value("[1, 2, 3]")
+        page.reload()
+        expect(page.locator(f"[name={FIRST}]")).to_have_value("1/3")
+        expect(page.locator("[name=euler-1]")).to_have_value("[1, 2, 3]")
+        assert not watch.errors + watch.strangers
+
+
+def test_a_sheet_without_scripts_asks_for_a_browser(chromium, tmp_path, monkeypatch):
+    """As previews of files show it: nothing looks as if it could be typed or saved."""
+    monkeypatch.chdir(tmp_path)
+    sheet = write_sheet(FIRST)
+    with watched_page(chromium, tmp_path.as_uri(), java_script_enabled=False) as (page, _):
+        page.goto(sheet)
+        assert page.get_by_text("Here this sheet can be read and printed").is_visible()
+        assert page.locator("input:visible, button:visible").count() == 0
 
 
 def test_a_matrix_can_be_typed_entry_by_entry(page):

@@ -43,8 +43,14 @@ def _one_answer(separator):
 TABLES = {
     "commas": _one_answer(",").encode(),
     "semicolons": _one_answer(";").encode("utf-8-sig"),
-    "tabs": _one_answer("\t").encode(),
+    "tabs in UTF-16": ("\ufeff" + _one_answer("\t")).encode("utf-16-le"),
+    "big end first": f"\ufeff{_one_answer(';')}".encode("utf-16-be"),
+    "its separator said": f"sep=|\n{_one_answer('|')}".encode("utf-8-sig"),
+    "said in UTF-16": f"\ufeffsep=;\r\n{_one_answer(';')}".encode("utf-16-le"),
     "old line ends": _one_answer(";").replace("\n", "\r").encode(),
     "empty lines, capitals": f"\n \n{_one_answer(',').replace('s', 'S', 1)}".encode(),
     "no empty cells at the end": _one_answer(";").replace(";\n", "\n").encode(),
+    "joined, with bad lines": (
+        f'{_one_answer(";")}x;"1" 2;;3\n\ufeff{_one_answer(";")}'.encode() + b"\xff;1;1;1\n"
+    ),
 }

@@ -67,9 +67,13 @@ def test_a_secret_that_an_editor_saved_again_deals_the_same(keyed):
     few = ("--only", ONE, "--out", "exam.csv", "--secret", "secret.txt")
     assert run("key", "roster.csv", *few) == 0
     before, secret = table("exam.csv"), (keyed / "secret.txt").read_text().strip()
-    (keyed / "secret.txt").write_bytes(f"\ufeff{secret}\r\n\r\n".encode())
-    assert run("key", "roster.csv", *few, "--force") == 0
-    assert table("exam.csv") == before
+    for text, encoding in (
+        (f"{secret}\r\n\r\n", "utf-8"),
+        (f"{secret}\n", "utf-16"),
+    ):
+        (keyed / "secret.txt").write_bytes(text.encode(encoding))
+        assert run("key", "roster.csv", *few, "--force") == 0
+        assert table("exam.csv") == before
 
 
 def test_another_secret_does_not_replace_a_key(keyed, capsys):

@@ -6,13 +6,17 @@ import pytest
 from commands import HEADING, ONE, ONLY, results, run, saved
 from declared import table
 
+from courseware.practice import variants
+
 
 def test_bad_lines_are_told_and_the_good_ones_graded(folder, capsys):
-    (folder / "roster.csv").write_text("student\nAda\nAda \n\nBob\n")
+    (folder / "roster.csv").write_bytes("student\nAda\nAda \n\nBob\n\xff\xfe\n".encode("latin-1"))
     assert run("key", "roster.csv", *ONLY) == 1
     assert capsys.readouterr().err.splitlines() == [
         "students named twice: 1",
         "  roster.csv, line 3: 'Ada' is one name with 'Ada' in line 2: no second key",
+        "lines not in UTF-8: save the file as CSV UTF-8: 1",
+        "  roster.csv, line 6",
     ]
     lines = [
         "student;exercise;answer;course;time",
@@ -25,7 +29,7 @@ def test_bad_lines_are_told_and_the_good_ones_graded(folder, capsys):
         f"Ada;{ONE};0.6;robokin;yesterday",
         f";{ONE};0.6;robokin;",
     ]
-    (folder / "answers.csv").write_text("\n".join(lines))
+    (folder / "answers.csv").write_text("\n".join(lines), encoding="utf-16")
     assert run("grade", "answers.csv", "--key", "key.csv") == 1
     assert capsys.readouterr().err.splitlines() == [
         "answers of students who are not in the key: 1",
@@ -40,12 +44,16 @@ def test_bad_lines_are_told_and_the_good_ones_graded(folder, capsys):
         "  answers.csv, line 7: the course is 'last year', the key's is 'robokin'",
         "times that cannot be read: 1",
         "  answers.csv, line 8: 'yesterday'",
+        "answers replaced by one read later (without a time): 1",
+        f"  answers.csv, line 2: Ada, {ONE}: '0,5' without a time, counts '0.6' without a time"
+        " (answers.csv, line 8)",
         "answers without a name: 1",
         "  answers.csv, line 9",
     ]
     assert table("grades.csv")[0]["answer"] == "0.6"
     told = table("grades-problems.csv")
-    assert [row["line"] for row in told] == ["3", "4", "5", "6", "7", "8", "9"]
+    assert [row["line"] for row in told] == ["3", "4", "5", "6", "7", "8", "2", "9"]
+    assert told[0]["answer"] == "0.5"  # nothing is lost
 
 
 def test_key_roster_and_old_grades_are_no_answers(keyed, capsys):
@@ -53,7 +61,10 @@ def test_key_roster_and_old_grades_are_no_answers(keyed, capsys):
     (keyed / "answers-Ada.csv").write_text(saved("Ada", {ONE: "7"}))
     assert run("grade", ".", "--key", "key.csv") == 1
     told = capsys.readouterr()
-    assert "tables that are no answers, left out: 1\n  roster.csv: columns student\n" in told.err
+    assert (
+        "tables that are no answers, left out: 1\n  roster.csv: columns student, 2 lines"
+        in told.err
+    )
     assert set(results().values()) == {"wrong", "missing"}
     for old in ("grades.csv", "key.csv"):
         (keyed / f"old-{old}").write_bytes((keyed / old).read_bytes())
@@ -75,19 +86,20 @@ def test_the_newest_answer_counts_whatever_its_file_is_called(keyed, capsys):
     (keyed / "answers-Ada.csv").write_text(saved("Ada", {ONE: "1"}, first))
     (keyed / "notes.csv").write_text(f"{HEADING}\nAda,{ONE},3\n")  # without a time: never newer
     (keyed / "zone.csv").write_text(f"{HEADING},time\nAda,{ONE},4,2026-03-01T10:59:00+01:00\n")
-    assert (
-        run(
-            "grade",
-            "answers-Ada (1).csv",
-            "answers-Ada.csv",
-            "notes.csv",
-            "zone.csv",
-            "--key",
-            "key.csv",
-        )
-        == 0
-    )
+    assert run("grade", ".", "--key", "key.csv") == 1
     assert table("grades.csv")[0]["answer"] == "2"
+    told = capsys.readouterr().err
+    assert "answers replaced by a newer one: 3" in told
+    assert (
+        f"answers-Ada.csv, line 2: Ada, {ONE}: '1' of 2026-03-01 10:00:00, "
+        "counts '2' of 2026-03-01 10:00:01 (answers-Ada (1).csv, line 2)"
+    ) in told
+
+
+def test_the_same_answer_twice_is_no_problem(keyed, capsys):
+    for name in ("one.csv", "two.csv"):
+        (keyed / name).write_text(saved("Ada", {ONE: "7"}))
+    assert run("grade", "one.csv", "two.csv", "--key", "key.csv") == 0
     assert not capsys.readouterr().err
 
 
@@ -121,6 +133,14 @@ def test_the_wrong_course_alone_is_refused(keyed, capsys):
     ]  # fmt: skip
 
 
+def test_answers_to_another_version_are_told_and_count(keyed, capsys):
+    text = saved("Ada", {ONE: "7"}).replace(variants.version(), "0ldbank")
+    (keyed / "answers.csv").write_text(text)
+    assert run("grade", "answers.csv", "--key", "key.csv") == 1
+    assert "another version of the exercises (they count): 1" in capsys.readouterr().err
+    assert results()["Ada", ONE] == "wrong"
+
+
 @pytest.mark.parametrize("files", [{}, {"a.csv": ""}, {"a.csv": HEADING}, {"a.pdf": "%PDF"}])
 def test_nothing_handed_in_is_refused(keyed, capsys, files):
     (keyed / "answers").mkdir()
@@ -146,6 +166,8 @@ def test_one_bad_file_does_not_stop_the_others(keyed, capsys):
         told = capsys.readouterr()
         assert "empty.csv" in told.err
         assert "sheet.xlsx: .xlsx: unpack archives, save spreadsheets as CSV" in told.err
+        assert "a quotation mark is not closed, or does not end its cell: 1" in told.err
+        assert "open.csv, line 2" in told.err
         graded = {(r["student"], r["exercise"]): r["answer"] for r in table(out)}
         assert graded["Bob", ONE] == "7"
         assert graded["Ada", ONE] == graded["Ada", "differential-drive-2"] == "1, 2"
@@ -161,22 +183,33 @@ def test_what_a_system_leaves_in_a_folder_is_passed_over(keyed, capsys, left):
     assert not capsys.readouterr().err
 
 
+def test_lines_that_spreadsheets_cut_short_are_whole(keyed):
+    (keyed / "a.csv").write_text(f"{HEADING},course,remark\nAda,{ONE},7\nBob,{ONE},8,robokin\n")
+    assert run("grade", "a.csv", "--key", "key.csv") == 0
+    assert [row["answer"] for row in table("grades.csv") if row["answer"]] == ["7", "8"]
+
+
 def test_a_name_that_is_nearly_in_the_key_is_told(keyed, capsys):
-    (keyed / "a.csv").write_text(f"{HEADING}\nAdda,{ONE},7\nZoe,{ONE},7\n")
+    (keyed / "a.csv").write_text(saved("Adda", {ONE: "7"}) + saved("Zoe", {ONE: "7"}))
     assert run("grade", "a.csv", "--key", "key.csv") == 2
     told = capsys.readouterr().err
     assert "line 2: 'Adda', the key has 'Ada'" in told
-    assert "line 3: 'Zoe'\n" in told
+    assert "line 4: 'Zoe'\n" in told
 
 
-def test_every_file_with_a_problem_is_told(keyed, capsys):
+def test_every_file_with_a_problem_is_told_and_all_lines_are_written(keyed, capsys):
+    """Of many bad lines in one file none hides another file."""
     (keyed / "in").mkdir()
     (keyed / "in" / "Ada.csv").write_text(saved("Ada", {ONE: "7"}))
-    (keyed / "in" / "old.csv").write_text(f"{HEADING}\nBob,{ONE},é", encoding="cp1252")
+    lines = "\n".join(f"Bob,{ONE},é{k}" for k in range(52))
+    (keyed / "in" / "old.csv").write_text(f"{HEADING}\n{lines}", encoding="cp1252")
     for name in ("a.zip", "b.zip", "c.zip", "d.zip", "e.pdf"):
         (keyed / "in" / name).write_bytes(b"PK")
     assert run("grade", "in", "--key", "key.csv") == 1
     told = capsys.readouterr().err
-    assert "in/old.csv is no text in UTF-8" in told
+    assert "lines not in UTF-8: save the file as CSV UTF-8: 52\n" in told
+    assert "  in/old.csv: 49 more\n" in told
     assert all(f"in/{name}.zip" in told for name in "abcd")
-    assert len(table("grades-problems.csv")) == 6
+    found = table("grades-problems.csv")
+    assert Counter(row["file"] for row in found)["in/old.csv"] == 52
+    assert len(found) == 57

@@ -106,12 +106,14 @@ def built_class(count):
 
 @pytest.mark.parametrize("size", [40, pytest.param(500, marks=pytest.mark.slow)])
 def test_a_class(size, folder, capsys):
-    """Mistakes, names typed late, two downloads, other files: all grades as built."""
+    """Mistakes, names typed late, two downloads, joined files, other files: all grades as built."""
     answers, wanted = built_class(size)
     names = list(answers)
     for part in (names[:-20], names):  # twenty are enrolled later
         write_table("roster.csv", ("student",), [(name,) for name in part], force=True)
         assert run("key", "roster.csv", "--force") == 0
+    (folder / "joined").mkdir()
+    joined = b""
     early, late = ({name: f"2026-03-0{day}T09:00:00Z" for name in EXERCISES} for day in (1, 2))
     for k, name in enumerate(names):
         text = saved(name, answers[name], late)
@@ -121,12 +123,17 @@ def test_a_class(size, folder, capsys):
         if k % 11 == 0:  # at first without a name, and once in another course
             (folder / f"{k}-nameless.csv").write_text(saved("", answers[name], late))
             (folder / f"{k}-old.csv").write_text(saved(name, answers[name], late, "last year"))
-        if k % 13 == 0:  # by a spreadsheet
+        if k % 5 == 0:
+            joined += text.encode()
+        elif k % 13 == 0:  # by a spreadsheet
             rows = csv.reader(text.lstrip("\ufeff").splitlines())
-            with (folder / f"{k}.csv").open("w", encoding="utf-8-sig", newline="") as file:
-                csv.writer(file, delimiter=";").writerows(rows)
+            lines = (
+                "\t".join(f'"{cell.replace(chr(34), chr(34) * 2)}"' for cell in r) for r in rows
+            )
+            (folder / f"{k}.csv").write_text("\n".join(lines), encoding="utf-16")
         else:
             (folder / f"{k} ab.csv").write_text(text)
+    (folder / "joined" / "all.csv").write_bytes(joined)
     capsys.readouterr()
     assert run("grade", ".", "--key", "key.csv") == 1
     told = capsys.readouterr()
@@ -138,7 +145,9 @@ def test_a_class(size, folder, capsys):
     assert graded.keys() == wanted.keys()
     assert [person for person in wanted if graded[person] not in wanted[person]] == []
     counts = Counter(row["problem"] for row in table("grades-problems.csv"))
+    replaced = sum(len(answers[name]) for name in names[::7])
     elevenths = sum(len(answers[name]) for name in names[::11])
+    assert counts["answers replaced by a newer one"] == replaced
     assert counts["answers without a name"] == counts["answers of another course"] == elevenths
 
 

@@ -133,6 +133,16 @@ def test_an_exercise_is_asked_in_all_variants(exercise, questions):
 
 
 @each_exercise
+def test_a_moodle_from_right_to_left_keeps_the_order(exercise, questions):
+    for question in questions(exercise.name):
+        texts = [question.find("questiontext/text"), question.find("generalfeedback/text")]
+        for text in [*texts, *question.iterfind("hint/text")]:
+            assert text.text.startswith('<div dir="ltr"')
+        for field in answers(question):
+            assert all(re.match('<(div|span) dir="ltr"', told) for *_, told in field)
+
+
+@each_exercise
 def test_right_answers_pass_and_mistakes_do_not_and_are_named(exercise, questions):
     """As Moodle judges, field by field: in one field at least the mistake is named."""
     named, made, meant = 0, 0, candidates.outcomes(exercise)
@@ -222,6 +232,16 @@ def test_a_slip_in_a_field_is_named(questions):
             known, told = judged(field, factor * right)
             assert known == (right == 0)
             assert right == 0 or candidates.SLIPS[name] in told or "This is what you get" in told
+
+
+def test_blanks_are_kept_and_nothing_is_overwritten(folder, capsys):
+    assert run("moodle", "--only", "differential-drive-1", "elbow-arm-5") == 0
+    text = (folder / "moodle.xml").read_text()
+    assert 'left"><p>The wheels' in text
+    assert text.count("<question type=") == 2 + 2 * variants.VARIANTS
+    assert run("moodle", "--only", "differential-drive-1") == 2
+    assert "already there" in capsys.readouterr().err
+    assert run("moodle", "--only", "differential-drive-1", "--force") == 0
 
 
 def test_a_secret_draws_other_questions(folder):

@@ -34,6 +34,12 @@ document.querySelectorAll(".rk-handles, .rk-run, .rk-bar, .rk-named, .copybtn, .
     if (!skipped && target.matches(BOXES)) markScrollable([target]);
   }, true);
 
+  // What waits for an answer is not drawn, but printed: its fonts are asked for by name.
+  const loadFonts = (box) => box.querySelectorAll(".katex-html span").forEach((each) => {
+    const { fontStyle, fontWeight, fontFamily } = getComputedStyle(each);
+    document.fonts.load(`${fontStyle} ${fontWeight} 1em ${fontFamily}`, each.textContent);
+  });
+
   // From a reader's first move on, formulas far away are drawn one by one: so their heights are known,
   // and their fonts come, for which a printer does not wait.
   const waiting = [...boxes], later = globalThis.requestIdleCallback ?? setTimeout; // which Safari lacks
@@ -41,6 +47,7 @@ document.querySelectorAll(".rk-handles, .rk-run, .rk-bar, .rk-named, .copybtn, .
     const box = waiting.shift();
     if (!box) return;
     box.style.contentVisibility = "visible";
+    if (!box.getClientRects().length) loadFonts(box);
     markScrollable([box]);
     later(drawFar);
   };

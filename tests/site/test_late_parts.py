@@ -35,7 +35,7 @@ LOADED = """[...document.fonts].filter((font) => font.status === "loaded")
   .map(({ family, style, weight }) => [family, style, weight].join(" ")).sort().join()"""
 
 
-@pytest.mark.parametrize("name", ["euler", "frames", "odometry"])
+@pytest.mark.parametrize("name", ["elbow_arm", "frames", "bicycle"])
 def test_formulas_far_below_wait_for_a_reader_s_first_move(name, server, chromium):
     """Then they have their heights, so that nothing jumps, and their fonts, should one print."""
     with watched_page(chromium, server, 390) as (page, _):
@@ -47,7 +47,7 @@ def test_formulas_far_below_wait_for_a_reader_s_first_move(name, server, chromiu
         fonts = page.evaluate(LOADED)
     with watched_page(chromium, server, 390) as (page, watch):  # nothing is answered here
         page.goto(f"{server}{name}/{name}.html")
-        assert page.evaluate(FAR) > 0
+        assert page.evaluate(FAR) > 5
         page.keyboard.press("Shift")
         page.wait_for_function(
             f"([tall, fonts]) => {TALL} === tall && {LOADED} === fonts && !({FAR})()",

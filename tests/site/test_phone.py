@@ -1,7 +1,9 @@
-"""On a phone links lead to their places, and pictures keep their shape."""
+"""On a phone links lead to their places, code is copied as typed, pictures keep their shape."""
+
+import json
 
 import pytest
-from browser import TALL, draw_all, watched_page
+from browser import ROOT, TALL, draw_all, watched_page
 
 import book  # noqa: F401 (opens the course)
 from courseware.course import course
@@ -31,6 +33,22 @@ def page(chromium):
     """A page of a phone."""
     with watched_page(chromium, "", 390) as (page, _):
         yield page
+
+
+def test_what_wraps_is_copied_as_it_was_typed(page, server):
+    """The longest code of a chapter; the text is taken from the event, before the clipboard."""
+    cells = json.loads((ROOT / "book" / "wheels" / "wheels.ipynb").read_text("utf-8"))["cells"]
+    typed = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "code"]
+    page.goto(f"{server}wheels/wheels.html")
+    page.evaluate(
+        "() => addEventListener('copy', (event) => { window.copied = event.target.value; })"
+    )
+    cell = page.locator(".cell_input:visible", has_text="backgroundcolor").first
+    cell.scroll_into_view_if_needed()
+    cell.locator("button.copybtn").dispatch_event("click")
+    copied = page.wait_for_function("() => window.copied").json_value()
+    assert copied in typed
+    assert max(map(len, copied.splitlines())) > 60  # a line that wraps
 
 
 FROM_TOP = "(place) => document.getElementById(place).getBoundingClientRect().top"

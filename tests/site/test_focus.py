@@ -45,7 +45,10 @@ HIDDEN = """(back) => {
   const all = "a[href], button, input, select, textarea, summary, [tabindex='0']";
   const stops = [...document.querySelectorAll(all)].filter((each) => each.tabIndex >= 0);
   const places = [0.1, 0.5, 0.9];
-  const isSeen = (each) => each.checkVisibility({ opacityProperty: true, visibilityProperty: true })
+  const shown = { opacityProperty: true, visibilityProperty: true };
+  // the button of a choice is seen by its label, on which it lies
+  const drawn = (each) => each.closest(".rk-options label") ?? each;
+  const isSeen = (each) => drawn(each).checkVisibility(shown)
     && [...each.getClientRects()].some(({ left, top, width, height }) => width && height
       && places.some((x) => places.some((y) => {
         const hit = document.elementFromPoint(left + x * width, top + y * height);

@@ -117,7 +117,7 @@ export const SHAPES = {
     return [path(past.map(step).filter((piece) => !piece.includes("NaN")).join(""), stroke(shape.kind))];
   },
   cloud: (p, shape, to, { c }) => {
-    const dots = shape.rows.map((row) => to(shape.point(functions, c, row)));
+    const dots = shape.rows.map((row) => to(shape.point(functions, c, row))).filter(([x, y]) => Number.isFinite(x + y));
     return [path(dots.map(([x, y]) => `M${px(x)} ${px(y)}h0`).join(""), stroke(shape.kind, `;stroke-width:4.5;stroke-linecap:round${SOLID}`))];
   },
   angle: (p, shape, to) => {

@@ -193,8 +193,9 @@ def readout_texts(readout, value):
 
 
 def loops(figure):
-    """Return the recurrences of a figure."""
-    return [shape.recurrence for shape in figure.shapes if hasattr(shape, "recurrence")]
+    """Return the recurrences of a figure, each once: two trails may show one."""
+    found = [shape.recurrence for shape in figure.shapes if hasattr(shape, "recurrence")]
+    return list({id(loop): loop for loop in found}.values())
 
 
 @cache

@@ -639,7 +639,7 @@ odometry_8 = Exercise(
         "b": number_range(20, 50, 5, "cm"),
         "lever": number_range(1, 3, 0.1, "m"),
     },
-    unknowns=(Unknown("δ", "rad"), Unknown("shift", "m")),
+    unknowns=(Unknown("δ", "rad", circle=True), Unknown("shift", "m")),
     right=lambda slip, b, lever: [slip / b, slip / b * lever],
     wrong={},
     likely_slips={
@@ -670,7 +670,7 @@ odometry_9 = Exercise(
         "b": number_range(20, 50, 5, "cm"),
         "drive": number_range(1, 6, 0.5, "m"),
     },
-    unknowns=(Unknown("σ_θ", "rad"), Unknown("σ_y", "m")),
+    unknowns=(Unknown("σ_θ", "rad", circle=True), Unknown("σ_y", "m")),
     right=lambda error, b, drive: spread(error**2, drive, b),
     wrong={},
     likely_slips={

@@ -25,6 +25,7 @@ from sympy import (
 from book import things
 from book.differential_drive.figures import guess_x, guess_y, t
 from book.differential_drive.formulas import b, r, v_L, v_R
+from book.dragging import towards
 from book.frames.figures import point_of
 from book.letters import put_back
 from book.motion.formulas import theta, x, y
@@ -624,6 +625,8 @@ def swung(pose: Any, hinge: Any, angle: Any) -> tuple[Any, ...]:
 def door_figure() -> Figure:
     """Draw a slip of the right wheel: all that follows swings about the left wheel's contact."""
     here, hinge = on_s(part), point_of(on_s(part), 0, HALF)
+    off = POINTER[0] - here[0], POINTER[1] - here[1]
+    ahead = off[0] * cos(here[2]) + off[1] * sin(here[2])  # of the place, along the way
     end, along = swung(S_END, hinge, swing), swung(on_s(s), hinge, swing)
     middle = ((hinge[0] + S_END[0]) / 2, (hinge[1] + S_END[1]) / 2)
     return Figure(
@@ -657,7 +660,7 @@ def door_figure() -> Figure:
             Handle(
                 "place of the slip",
                 here[:2],
-                {part: (POINTER[0] - S_START[0]) / (S_END[0] - S_START[0])},
+                {part: part + ahead / (2 * ARC)},
             ),
         ),
         readouts=(
@@ -918,7 +921,7 @@ def mean_of(rows: Any) -> tuple[float, float]:
 
 def square_figure() -> Figure:
     """Draw squares both ways of a robot with unequal wheels or a wrong wheel distance."""
-    cw, ccw = square_loop(-1, "cw"), square_loop(1, "ccw")
+    cw, ccw = square_loop(-1, "to_right"), square_loop(1, "to_left")
     ends = {
         odometry.x_cw: cw.ends[0], odometry.y_cw: cw.ends[1],
         odometry.x_ccw: ccw.ends[0], odometry.y_ccw: ccw.ends[1],
@@ -1035,7 +1038,7 @@ def counter_figure() -> Figure:
             Point("right", dial(count_now), ""),
         ),
         handles=tuple(
-            Handle(name, dial(each), {each: Mod(atan2(*POINTER) / (2 * pi), 1) * (NUMBERS - 1)})
+            Handle(name, dial(each), {each: Mod(atan2(*POINTER) / (2 * pi), 1) * NUMBERS})
             for name, each in (("reading c", count_before), ("reading c′", count_now))
         ),
         readouts=(
@@ -1171,7 +1174,7 @@ def lab_figure() -> Figure:
             Handle(
                 "the end by its belief", told,
                 {
-                    set_off: atan2(POINTER[1], POINTER[0]) - turned / 2,
+                    set_off: towards(set_off, atan2(POINTER[1], POINTER[0]) - turned / 2),
                     drive: sp.sqrt(POINTER[0] ** 2 + POINTER[1] ** 2) / sp.sinc(turned / 2),
                 },
             ),

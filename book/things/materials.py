@@ -28,7 +28,7 @@ TONES = {
     "plank_lit": ("#efdab6", "#4a392a"),
     "grain": ("#c9a26f", "#2c2118"),
     "wood_edge": ("#7d5a2c", "#c19b6c"),
-    "night": ("#c9d0da", "#0c1015"),
+    "night": ("#dde3ea", "#0c1015"),
     # bodies: light, middle, dark
     "shell": ("#ffffff", "#cbd3dc"),
     "shell_mid": ("#e3e8ee", "#a0abb8"),

@@ -4,18 +4,23 @@ import json
 from xml.etree import ElementTree
 
 import nbformat
+import pytest
 from declared import FIGURES, each
 from small_figures import painted, small_figure, space_figure
 from support import ROOT
 
+from courseware.errors import CourseError
 from courseware.figures import Figure
-from courseware.figures.figure import MIME
+from courseware.figures.figure import MIME, find_figure
 
 SIZE = 30_000  # bytes for one figure, nearly all the still picture
 # three rings in space, with a face for each 15 degrees
 SIZES = {"rings-alone": 38_000, "gimbal-rings": 44_000, "robots": 46_000}
 # a solid arm on its turntable, or two, with the covers of its joints
 SIZES |= dict.fromkeys(("grip", "arm-exercise", "turn-round", "on-the-axis"), 66_000)
+# a room and its arm twice, or with tracing paper on it
+SIZES |= dict.fromkeys(("two-views", "chain-exercise", "room-plan", "letters-frames"), 38_000)
+SIZES["camera-above"] = 46_000
 SIZES |= dict.fromkeys(("arm-laboratory", "dh-frames", "wrong-reach"), 66_000)
 
 
@@ -44,6 +49,12 @@ def test_a_notebook_keeps_the_name_and_the_still_picture(figure):
     assert len(json.dumps(data)) < SIZES.get(figure.name, SIZE)
     assert "var(" not in data["image/svg+xml"]  # it is used without the page's style
     ElementTree.fromstring(data["image/svg+xml"])  # and as a file
+
+
+def test_a_figure_that_no_chapter_declares_is_refused():
+    assert find_figure("wheel-speeds") is FIGURES["wheel-speeds"]
+    with pytest.raises(CourseError, match=r"no figure 'small'; there are .* chapters' figures\.py"):
+        find_figure("small")
 
 
 def test_a_widget_carries_its_figure_and_its_part():

@@ -56,20 +56,6 @@ def trolley_readouts(*columns):
     return dict(zip(("off", "turned"), np.transpose(found), strict=True))
 
 
-def rolling_about(x, y, rate=0.5, gamma=0.0):
-    """Return the rates of wheel 2, with rollers or without, in a turn about a point."""
-    made = [wheels.swedish(0.2, 2 * np.pi / 3, 0, 0.05, gamma)]
-    return wheels.inverse(made, np.stack([rate * y, -rate * x, rate + 0 * x], axis=-1))[..., 0]
-
-
-def rollers_readouts(gamma, x, y):
-    rows = zip(gamma, x, y, strict=True)
-    return {
-        "wheel_gamma": gamma,
-        "wheel_rate": np.array([rolling_about(p, q, 0.5, g) for g, p, q in rows]),
-    }
-
-
 def place_readouts(alpha, beta):
     return {"rolls": alpha + beta - QUARTER}
 
@@ -222,12 +208,10 @@ RATES = ("omni_rate1", "omni_rate2", "omni_rate3")
 READOUTS = {
     "trolley": trolley_readouts,
     "wheel-place": place_readouts,
-    "rolling": lambda x, y: {"wheel_rate": rolling_about(x, y)},
     "axle-lines": lines_readouts,
     "front-wheels": front_readouts,
     "wheel-kinds": kinds_readouts,
     "castor": castor_readouts,
-    "rollers": rollers_readouts,
     "push-lines": triangle_readouts,
     "omni": omni_readouts,
     "mecanum": mecanum_readouts,

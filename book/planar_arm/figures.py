@@ -599,7 +599,7 @@ def lift_figure() -> Figure:
 # Steps 5 to 7: a flat triangle; all at once; damping.
 
 SPEED_OUT = 0.1  # m/s
-FLAT = Graph((0.68, 1.2, 0.1, 0.66), (0.01, 1), (0.1, 100), ("sin θ_2", "|θ̇_2| in rad/s"))
+FLAT = Graph((0.68, 1.2, 0.1, 0.66), (0.01, 1), (0.1, 100), ("sin θ_2", "|θ̇_2|"))
 far_out = Symbol("far_out", real=True)
 
 

@@ -266,8 +266,8 @@ PREDICTIONS = (
                 "none of them": "Feedback can take back more than twice the error.",
             },
         ),
-        explanation="An error now shrinks, and the drift no longer adds up. But when $K$ times the "
-        "step exceeds 2, as 6 times 0.4 does, each step makes the error larger. At 5 it is just "
+        explanation="An error shrinks now. But when $K$ times the step "
+        "exceeds 2, as 6 times 0.4 does, each step makes the error larger. At 5 it is just "
         "2: the error swings back and forth, and does not shrink.",
         spoilers=("exceeds 2",),
     ),

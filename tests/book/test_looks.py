@@ -20,6 +20,11 @@ def grounds():
     return light, dark
 
 
+def test_contrast_is_computed_right():
+    assert contrast("#fff", "#000000") == pytest.approx(21)
+    assert contrast("#767676", "#fff") == pytest.approx(4.54, abs=0.005)  # WCAG's known example
+
+
 SEEN = {  # linear RGB as seen without red or green cones: Machado, Oliveira, Fernandes (2009)
     "protan": [(0.152, 1.053, -0.205), (0.115, 0.786, 0.099), (-0.004, -0.048, 1.052)],
     "deutan": [(0.367, 0.861, -0.228), (0.280, 0.673, 0.047), (-0.012, 0.043, 0.969)],
@@ -72,6 +77,14 @@ def test_letters_can_be_read_where_they_are_lit(chapter):
     for kind in getattr(course().module(chapter, "formulas"), "LOOKS", {}).values():
         readable = min(contrast(KINDS[kind].light, light), contrast(KINDS[kind].dark, dark))
         assert readable >= 4.5, kind  # WCAG 1.4.3, for text
+
+
+@each_figure
+def test_an_index_is_written_the_same_way_everywhere(figure):
+    """As in θ_1, which is set like the formula's; the sign ₁ would be another letter."""
+    parts = (*figure.controls, *figure.readouts, *figure.shapes)
+    labels = "".join(str(getattr(part, "label", "")) for part in parts)
+    assert not set("₀₁₂₃₄₅₆₇₈₉") & set(labels)
 
 
 def test_the_ring_stands_out():

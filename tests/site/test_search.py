@@ -24,6 +24,8 @@ FIRST = {
     "homogeneous transform": f"{FRAMES}#a-pose-as-a-matrix",
     "ICR": f"{DRIVE}#where-the-icr-goes",
     "Ackermann": "bicycle/bicycle#and-back-one-steering-wheel-two-angles",
+    "covariance": f"{ODOMETRY}#a-door",
+    "manipulability": f"{PLANAR}#all-at-once",
     # symbols
     "φ": "notation#wheel-constraints-and-the-omni-robot",
     # functions, and errors

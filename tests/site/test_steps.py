@@ -193,7 +193,6 @@ def test_the_view_follows_the_robot(alone):
 # --- The page -------------------------------------------------------------------------------
 
 OUTSIDE, INSIDE = 1600, 1500  # words outside and inside folds
-LONGER = {"planar_arm": 1700}  # by name, in folds: to be shortened
 FOLD = re.compile("<details>.*?</details>", re.DOTALL)
 
 
@@ -217,8 +216,7 @@ def test_a_chapter_has_few_words(chapter):
     outside, inside = map(len, told(chapter))
     print(f"{chapter}: {outside} words, {inside} in folds")
     assert outside <= OUTSIDE, f"{outside} words of prose, at most {OUTSIDE}: shorten or fold some"
-    most = LONGER.get(chapter, INSIDE)
-    assert inside <= most, f"{inside} words in folds, at most {most}: shorten some"
+    assert inside <= INSIDE, f"{inside} words in folds, at most {INSIDE}: shorten some"
 
 
 def figures_of(chapter):

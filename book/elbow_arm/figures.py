@@ -925,7 +925,7 @@ def spike_figure() -> Figure:
             Line("ghost", (on_graph(arm.along, 0), on_graph(arm.along, arm.rate1))),
             Point("turning", on_graph(arm.along, arm.rate1)),
             Label("text", (left + 0.5 * LINE_SIDE / 1.25, low - 0.11), "along the line"),
-            Label(arm.rate1, (left - 0.07, low + TALL)),
+            Label(arm.rate1, (left + 0.14, low + TALL - 0.04)),
         ),
         handles=(Handle("the wrist", at, {share: POINTER[1] / half}),),
         readouts=(

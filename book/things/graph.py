@@ -61,8 +61,9 @@ class Graph:
             *(Line("grid", ((left, y), (right, y))) for y in up),
             Line("text", ((left, high), (left, low), (right, low))),
             *(Label("text", place, _power_text(x)) for place, x in numbers.items()),
-            Label("text", ((left + right) / 2, low - 3.6 * beside), self.titles[0]),
-            Label("text", (left, high + 1.3 * beside), self.titles[1]),
+            # the words of its curves, which give way to the numbers
+            Label("path", ((left + right) / 2, low - 3.6 * beside), self.titles[0]),
+            Label("path", (left, high + 1.3 * beside), self.titles[1]),
         )
 
 
@@ -90,8 +91,8 @@ class LinearGraph:
             Line("text", ((left, high), (left, low), (right, low))),
             *(Label("text", (self.place((x, 0))[0], low - beside), w) for x, w in xs.items()),
             *(Label("text", (left - beside, self.place((0, y))[1]), w) for y, w in ys.items()),
-            Label("text", ((left + right) / 2, low - beside), across),
-            Label("text", ((left + right) / 2, high + beside), up),
+            Label("path", ((left + right) / 2, low - beside), across),  # give way to the numbers
+            Label("path", ((left + right) / 2, high + beside), up),
         )
 
 

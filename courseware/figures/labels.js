@@ -84,8 +84,8 @@ const costOf = (box, x, y, obstacles, taken) => obstacles.reduce((sum, { points,
   return sum + (isBody && contains(points, x, y) ? ON : 0);
 }, FREE * taken.filter(overlaps(box)).length);
 
-// The numbers of an axis stay at their ticks.
-const stays = ({ shape: { shape, kind, label } }) => shape === "label" && kind === "text" && /^−?\d[\d.⁻⁰¹²³⁴-⁹]*( m|°)?$/.test(label);
+// Plain text, such as the numbers of an axis, stays where it was put: what has a symbol gives way.
+const stays = ({ shape: { shape, kind } }) => shape === "label" && kind === "text";
 
 // bodies: outlines of things, and faces; lines: all else. Each label takes the place inside the picture
 // that costs least. → their nodes, and the boxes that are taken.

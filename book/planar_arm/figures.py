@@ -611,7 +611,7 @@ def flat_figure() -> Figure:
         "flat",
         "The arm whose wrist moves outward, its weights, and a graph of the elbow's rate",
         "triangle arm weights",
-        view=(-0.28, 1.26, -0.26, 0.87),
+        view=(-0.28, 1.26, -0.26, 0.82),
         grid=False,
         controls=(Slider.degrees(theta2, 0.6, 90, start=60, step=0.2, label="joint 2"),),
         where=(

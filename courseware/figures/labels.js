@@ -98,7 +98,7 @@ export const placeLabels = ({ labels: all, taken: already }, grips, [width, heig
   const obstacles = [closed, lines].flatMap((part) => part.map((points) => ({ points, isBody: part === closed, around: boxOf(points) })));
   const nodes = labels.map((label) => {
     const { x: x0, y: y0, toward, shape } = label, ways = stays(label) ? [toward] : [toward, ...AROUND];
-    const pieces = splitLetters(shape.label), w = textWidth(pieces) / 2, h = 11;
+    const pieces = splitLetters(shape.label), w = textWidth(pieces) / 2, h = pieces.some(({ mark }) => mark) ? 15 : 11;
     let best = { cost: Infinity };
     for (const far of FAR) {
       if (WAY * far < best.cost) ways.forEach(([dx, dy], k) => {

@@ -121,21 +121,6 @@ def test_steering_is_the_beta_of_the_steered_wheels(robot, data):
     assert rolling_rates(robot).shape == (len(driven(robot)),) * 2
 
 
-@given(wheels(("fixed", "steered")), twists)
-def test_along_and_across_make_up_the_speed_of_the_wheels_centre(wheel, twist):
-    x, y = wheel.l * np.cos(wheel.alpha), wheel.l * np.sin(wheel.alpha)
-    v = np.array([twist[0] - twist[2] * y, twist[1] + twist[2] * x])
-    seen = [rolling([wheel])[0] @ twist, sliding([wheel])[0] @ twist]
-    assert_close(np.hypot(*seen), np.hypot(*v), atol=ATOL)
-
-
-@given(wheels(("fixed", "steered")), twists)
-def test_a_wheel_turned_round_rolls_backwards(wheel, twist):
-    other = Wheel(wheel.kind, wheel.l, wheel.alpha, wheel.beta + np.pi, wheel.radius)
-    assert_close(rolling([other]) @ twist, -rolling([wheel]) @ twist, atol=ATOL)
-    assert_close(sliding([other]) @ twist, -sliding([wheel]) @ twist, atol=ATOL)
-
-
 @given(determined, twists, angles)
 def test_forward_undoes_inverse_where_no_wheel_slips(robot, twist, theta):
     # a motion that the wheels allow: the nearest one to the twist, out of the sliding rows
@@ -147,26 +132,6 @@ def test_forward_undoes_inverse_where_no_wheel_slips(robot, twist, theta):
     # the rates are speeds by a radius of 0.03 m or more; back again times the radius
     assert_close(forward(robot, rates, theta=theta), world, atol=10 * ATOL)
     assert_close(slip(robot, rates), np.zeros(len(rates) + len(held(robot))), atol=10 * ATOL)
-
-
-@given(determined, st.data(), angles)
-def test_what_is_left_over_is_square_to_all_motions(robot, data, theta):
-    k, s = len(driven(robot)), len(steered_of(robot))
-    rates, steering = data.draw(vectors(k, -5, 5)), data.draw(vectors(s, -4, 4))
-    rows = np.concatenate([rolling(robot, steering), sliding(robot, steering)])
-    # least squares: the residual stands square on the columns, whatever they are
-    assert_close(rows.T @ slip(robot, rates, steering), np.zeros(3), atol=50 * ATOL)
-    body = motion.to_body(theta, forward(robot, rates, steering, theta))
-    wanted = np.concatenate([rolling_rates(robot) @ rates, np.zeros(len(rows) - k)])
-    assert_close(rows @ body - wanted, slip(robot, rates, steering), atol=50 * ATOL)
-
-
-@given(determined, st.data())
-def test_forward_is_linear(robot, data):
-    k = len(driven(robot))
-    a, b = np.array(data.draw(vectors(k, -5, 5))), np.array(data.draw(vectors(k, -5, 5)))
-    together = forward(robot, 2 * a + b)
-    assert_close(together, 2 * forward(robot, a) + forward(robot, b), atol=50 * ATOL)
 
 
 @given(determined, st.data(), angles)

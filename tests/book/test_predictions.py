@@ -6,7 +6,7 @@ import nbformat
 import pytest
 import stored_outputs
 from declared import PREDICTIONS, course, each
-from nbformat.v4 import new_code_cell, new_markdown_cell, new_output
+from nbformat.v4 import new_code_cell, new_markdown_cell
 from sympy import Float
 
 from book.differential_drive import formulas
@@ -14,7 +14,7 @@ from book.differential_drive.figures import guess_x, guess_y
 from book.differential_drive.formulas import b, v_L, v_R
 from book.motion.formulas import theta
 from courseware.figures import figure
-from courseware.predictions import Buttons, Ghost, Number, Prediction
+from courseware.predictions import Ghost, Number, Prediction
 from courseware.predictions.notebook import MIME, render_fold, render_prediction
 from courseware.predictions.page import TAG
 from courseware.script import engine
@@ -144,7 +144,7 @@ def test_a_figure_that_waits_stands_before(prediction):
         )
 
 
-# --- the checks themselves -------------------------------------------------------------------
+# --- what is shown and told ------------------------------------------------------------------
 
 SPEEDS = {v_L: Float("0.05"), v_R: Float("0.1"), b: Float("0.1")}
 RATE = Prediction(
@@ -153,10 +153,6 @@ RATE = Prediction(
     Number("rad/s", right=formulas.turning_rate.substitute(SPEEDS)),
     explanation="By the difference.",
 )
-SIDE = Prediction(
-    "side", "Which side?", Buttons(("left", "right"), right="left"), "", spoilers=("to the left",)
-)
-KNOWN = {"rate": RATE, "side": SIDE}
 
 
 def ask(name):
@@ -165,34 +161,6 @@ def ask(name):
 
 def text(source, *tags):
     return new_markdown_cell(source, metadata={"tags": list(tags)})
-
-
-def printing(words):
-    return new_code_cell("1", outputs=[new_output("execute_result", {"text/plain": words})])
-
-
-GIVEN = {
-    "above": [text("It turns at 0.5\nrad/s."), ask("rate")],
-    "in the title": [text("# A turn *to the* left"), ask("side")],
-    "in an output above": [printing("0.5 rad/s"), ask("rate")],
-    "below": [ask("rate"), text("So it is 0.5 rad/s.")],
-    "in another's fold": [ask("rate"), text("0.5 rad/s", "after-side")],
-}
-NOT_GIVEN = {
-    "another number": [text("It turns at 10.5 rad/s."), ask("rate")],
-    "in the fold": [ask("rate"), text("0.5 rad/s", "after-rate"), text("0.5 rad/s", "after-rate")],
-    "after the next heading": [ask("rate"), text("## Next\n\n0.5 rad/s")],
-}
-
-
-@pytest.mark.parametrize("cells", GIVEN.values(), ids=GIVEN)
-def test_what_gives_away_is_found(cells):
-    assert list(given_away(cells, KNOWN))
-
-
-@pytest.mark.parametrize("cells", NOT_GIVEN.values(), ids=NOT_GIVEN)
-def test_what_does_not_is_left(cells):
-    assert not list(given_away(cells, KNOWN))
 
 
 def test_in_a_notebook_the_answer_is_folded():

@@ -230,6 +230,14 @@ TITLES = {
 WORDS = [  # figure, slider → what it shows, readout → its word
     ("triangle", {"out": 0.8}, "phi2", "none")
 ]
+
+
+def four(turn, up, down, elbow):
+    """Return all four ways of the arm by one: away, it is the same arm seen from behind."""
+    facing = [[turn, up, elbow], [turn, down, -elbow]]
+    return facing + [[turn + np.pi, np.pi - shoulder, -bend] for _, shoulder, bend in facing]
+
+
 FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it gives then
     "elbow-arm-1": ({"p_x": -25, "p_y": 35}, {"M1": -0.6202, "M5": -0.9505}),
     "elbow-arm-2": (
@@ -272,30 +280,10 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
     "elbow-arm-7": (
         {"p_x": -45, "p_y": -50, "p_z": 35, "a2": 50, "a3": 55},
         {
-            "M1": [
-                [-2.4088, 1.2904, -1.5299],
-                [-2.4088, -0.3309, 1.5299],
-                [0.7328, 1.8512, 1.5299],
-                [0.7328, 3.4724, -1.5299],
-            ],
-            "M2": [
-                [-2.3036, 0.4082, -1.9042],
-                [-2.3036, -1.6296, 1.9042],
-                [0.838, 2.7334, 1.9042],
-                [0.838, 4.7712, -1.9042],
-            ],
-            "M3": [
-                [-2.3036, 1.1543, -1.2782],
-                [-2.3036, -0.1947, 1.2782],
-                [0.838, 1.9873, 1.2782],
-                [0.838, 3.3363, -1.2782],
-            ],
-            "M5": [
-                [0.838, 1.2904, -1.5299],
-                [0.838, -0.3309, 1.5299],
-                [3.9796, 1.8512, 1.5299],
-                [3.9796, 3.4724, -1.5299],
-            ],
+            "M1": four(-2.4088, 1.2904, -0.3309, -1.5299),
+            "M2": four(-2.3036, 0.4082, -1.6296, -1.9042),
+            "M3": four(-2.3036, 1.1543, -0.1947, -1.2782),
+            "M5": four(0.838, 1.2904, -0.3309, -1.5299),
             "M4": [
                 [-2.3036, 1.2904, -1.5299],
                 [-2.3036, -0.3309, 1.5299],

@@ -181,6 +181,7 @@ SPECIALS = {
 # each names the step that is wrong, and claims nothing of the picture
 NAMES = "No inverse", "Inverses by hand", "Two inverses", "One inverse"
 TITLES = {"wrong-object": dict.fromkeys(NAMES)}
+PLACED = dict(x_b=-1.6, y_b=-1.2, theta_b=60, x_e=1.2, y_e=0.2, theta_e=110)
 FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it gives then
     "frames-1": (
         {"x_b": 1.2, "y_b": -1, "theta_b": -110},
@@ -212,17 +213,7 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
         },
     ),
     "frames-5": (
-        {
-            "alpha": 0,
-            "beta": 30,
-            "gamma": -20,
-            "x_b": -1.6,
-            "y_b": -1.2,
-            "theta_b": 60,
-            "x_e": 1.2,
-            "y_e": 0.2,
-            "theta_e": 110,
-        },
+        {"alpha": 0, "beta": 30, "gamma": -20, **PLACED},
         {
             "M9": [[-1, 0, -1.2275], [0, -1, 0.6558], [0, 0, 1]],
             "M10": [[0.766, -0.6428, 1.736], [0.6428, 0.766, -0.3553], [0, 0, 1]],
@@ -267,10 +258,7 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
         {"M30": 1.8755, "axes of b are turned": 3.3838},
     ),
     "frames-9": (
-        {
-            **{"x_d": 1.2, "y_d": -1, "theta_d": -70},
-            **{"x_b": -1.2, "y_b": -1.8, "theta_b": 60, "x": 0.8, "y": 0.3},
-        },
+        dict(x_d=1.2, y_d=-1, theta_d=-70, x_b=-1.2, y_b=-1.8, theta_b=60, x=0.8, y=0.3),
         {
             "M9": [-0.0619, -0.3315],
             "M10": [-0.663, -0.3233],

@@ -254,6 +254,7 @@ TITLES = {
         LEAP: leaps_in_sample_9,
     }
 }
+COUNTED = dict(left_before=65250, left_after=140, right_before=2000, right_after=2700)
 FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it gives then
     "odometry-1": (
         {"C": 512, "r": 7.5, "N": 450},
@@ -287,16 +288,7 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
     ),
     "odometry-6": ({"D": 40, "turn": 55, "theta": 40}, {"M22": 0.0868, "middle heading": 0.0152}),
     "odometry-7": (
-        {
-            "theta": 140,
-            "r": 6,
-            "b": 35,
-            "C": 512,
-            "left_before": 65250,
-            "left_after": 140,
-            "right_before": 2000,
-            "right_after": 2700,
-        },
+        {"theta": 140, "r": 6, "b": 35, "C": 512, **COUNTED},
         {
             "M22": [0.3476, 0.2259, 3.0199],
             "M23": [-0.375, 0.1629, -0.1217],

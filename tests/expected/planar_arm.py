@@ -196,6 +196,7 @@ STRETCHED, FOLDED = {"theta2": 0.0}, {"theta2": np.pi}
 OUT = {**AT_END, "line_x": 0.85, "line_y": 0.7, "damping": 0.05}
 BACK = {**AT_END, "line_x": -0.4, "line_y": 0.0, "damping": 0.05}
 IN_THE_HOLE = {"line_x": 0.2, "line_y": 0.0}
+BENT = {"theta1": 0.0, "theta2": 0.7, "theta3": -2.01, "rate2": 0.1, "rate3": 0.0}
 CLOSED_LOOP = {**AT_END, "gain": 2.0, "n": 30, "damping": 0.05}
 
 READOUTS = {
@@ -292,34 +293,8 @@ GOALS = {  # figure → for each goal: settings that just reach it, and that jus
     ],
     "arm-joints": [
         (
-            [
-                {
-                    "theta1": 0.0,
-                    "theta2": 0.7,
-                    "theta3": -2.01,
-                    "rate1": 0.014,
-                    "rate2": 0.1,
-                    "rate3": 0.0,
-                }
-            ],
-            [
-                {
-                    "theta1": 0.0,
-                    "theta2": 0.7,
-                    "theta3": -1.72,
-                    "rate1": 0.0,
-                    "rate2": 0.1,
-                    "rate3": 0.0,
-                },
-                {
-                    "theta1": 0.0,
-                    "theta2": 0.7,
-                    "theta3": -2.01,
-                    "rate1": 0.016,
-                    "rate2": 0.1,
-                    "rate3": 0.0,
-                },
-            ],
+            [{**BENT, "rate1": 0.014}],
+            [{**BENT, "rate1": 0.0, "theta3": -1.72}, {**BENT, "rate1": 0.016}],
         ),
         (turning_about(0.1, 0.365), turning_about(0.1, 0.375)),
         (
@@ -369,17 +344,7 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
         },
     ),
     "planar-arm-2": (
-        {
-            "l1": 30,
-            "l2": 30,
-            "l3": 10,
-            "theta1": 110,
-            "theta2": 50,
-            "theta3": -10,
-            "q1": -0.8,
-            "q2": 0.2,
-            "q3": -0.8,
-        },
+        dict(l1=30, l2=30, l3=10, theta1=110, theta2=50, theta3=-10, q1=-0.8, q2=0.2, q3=-0.8),
         {
             "M26": [0.3571, 0.3725, -0.8],
             "M27": [0.3571, 0.095, -1.4],
@@ -396,17 +361,7 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
         {"M26": [[0.6082, -2.179], [2.5333, -4.1041]]},
     ),
     "planar-arm-4": (
-        {
-            "l1": 55,
-            "l2": 45,
-            "l3": 25,
-            "theta1": 100,
-            "theta2": 30,
-            "theta3": -80,
-            "f_x": 35,
-            "f_y": 5,
-            "m": -2,
-        },
+        dict(l1=55, l2=45, l3=25, theta1=100, theta2=30, theta3=-80, f_x=35, f_y=5, m=-2),
         {
             "M26": [-38.846, -19.4109, -7.8994],
             "M27": [-40.2032, -22.2144, -7.8994],
@@ -417,17 +372,9 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
         },
     ),
     "planar-arm-5": (
-        {
-            "l1": 40,
-            "l2": 35,
-            "l3": 20,
-            "theta1": 70,
-            "theta2": 110,
-            "theta3": -30,
-            "v_x": -0.1,
-            "v_y": 0.25,
-            "omega": -0.4,
-        },
+        dict(
+            l1=40, l2=35, l3=20, theta1=70, theta2=110, theta3=-30, v_x=-0.1, v_y=0.25, omega=-0.4
+        ),
         {
             "M26": [0.4342, -0.666, -0.4],
             "M27": [0.3725, -0.3691, -0.4034],
@@ -439,16 +386,7 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
         },
     ),
     "planar-arm-6": (
-        {
-            "l1": 45,
-            "l2": 50,
-            "l3": 15,
-            "theta1": 120,
-            "theta2": 120,
-            "theta3": -40,
-            "towards": 340,
-            "limit": 1.5,
-        },
+        dict(l1=45, l2=50, l3=15, theta1=120, theta2=120, theta3=-40, towards=340, limit=1.5),
         {
             "M26": 0.7173,
             "M27": 0.4327,

@@ -37,8 +37,6 @@ export const splitSolution = (text) => text ? text.split("\n\n").reduce((steps, 
     return [...steps.slice(0, -1), `${steps.at(-1)}\n\n${part}`];
   }, []) : [];
 
-export const renderSolution = (text, shown) => renderParagraphs(fillTemplate(text, shown));
-
 const renderEntries = ({ shape: [rows, columns] = [] }) => columns ? `<details class="rk-grid">`
   + `<summary>Type it entry by entry</summary><table>${Array.from({ length: rows }, (_, i) =>
     `<tr>${Array.from({ length: columns }, (_, j) => `<td><input type="text" autocomplete="off" `

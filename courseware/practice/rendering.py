@@ -84,12 +84,6 @@ def left_side(formula: Equation) -> str:
     return text.strip("[]") if text.count("[") == 1 else text
 
 
-def _fill_for_nobody(exercise: Exercise, salt: str, template: str) -> dict[str, str]:
-    """Return the placeholders of a text as somebody without a name sees them."""
-    variant = variants.all_variants(exercise.name)[variants.choose_variant(salt, exercise.name, "")]
-    return exercise.fill_placeholders(template, variant.numbers)
-
-
 def pack(chosen: Iterable[Exercise], solutions: bool = True) -> str:
     data = {exercise.name: _serialize(exercise, solutions) for exercise in chosen}
     text = json.dumps(data, ensure_ascii=False, separators=(",", ":"))
@@ -107,7 +101,8 @@ def render_script(topic: str, solutions: bool = True) -> str:
 def render_box(name: str, salt: str, solutions: bool = True) -> str:
     """Render an exercise as HTML, with the numbers of somebody without a name."""
     exercise = find_exercise(name)
-    texts = _fill_for_nobody(exercise, salt, exercise.text)
+    numbers = variants.all_variants(name)[variants.choose_variant(salt, name, "")].numbers
+    texts = exercise.fill_placeholders(exercise.text, numbers)
     question = _serialize_question(exercise)
     inner = engine.call("courseware.renderExercise", question, texts, solutions)
     version = hashlib.sha256(render_script(exercise.topic, solutions).encode()).hexdigest()[:8]
@@ -116,11 +111,3 @@ def render_box(name: str, salt: str, solutions: bool = True) -> str:
         f'data-topic="{exercise.topic}" data-version="{version}" '
         f'aria-label="{exercise.title}">{inner}</div>\n'
     )
-
-
-def render_solution(name: str, salt: str) -> str:
-    """Render the worked solution in the numbers of `render_box`."""
-    exercise = find_exercise(name)
-    text = exercise.solution.text
-    texts = _fill_for_nobody(exercise, salt, text)
-    return str(engine.call("courseware.renderSolution", text, texts))

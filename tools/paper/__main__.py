@@ -11,8 +11,9 @@ import yaml
 
 import book  # noqa: F401 - opens the course
 from courseware.course import course
-from courseware.practice import rendering
+from courseware.practice import variants
 from courseware.practice.bank import all_exercises
+from courseware.script import engine
 from paper import pdf
 from paper.pages import BUILD, ROOT
 
@@ -23,8 +24,8 @@ def main():
     front = {"title": settings["title"], "claim": site["site_description"]}
     front = {name: escape(text) for name, text in front.items()}
     front["rights"] = site["html_theme_options"]["extra_footer"]
-    solved = all_exercises() if site["course_solutions"] else ()
-    solutions = {name: rendering.render_solution(name, course().salt) for name in solved}
+    solved = all_exercises() if site["course_solutions"] else {}
+    solutions = {name: render_solution(exercise) for name, exercise in solved.items()}
     with chromium.launch() as browser:
         for name, shown, folds_open in (
             ("robokin.pdf", solutions, True),
@@ -34,6 +35,13 @@ def main():
             count = pdf.write(browser, front, file, shown, folds_open)
             megabytes, seconds = file.stat().st_size / 1e6, time.monotonic() - began
             print(f"_build/{name}: {count} pages, {megabytes:.1f} MB, {seconds:.0f} s", flush=True)
+
+
+def render_solution(exercise):
+    """Render a worked solution in the numbers that a page has for somebody without a name."""
+    name, text = exercise.name, exercise.solution.text
+    numbers = variants.all_variants(name)[variants.choose_variant(course().salt, name, "")].numbers
+    return engine.call("courseware.renderParagraphs", exercise.fill(text, numbers))
 
 
 if __name__ == "__main__":

@@ -221,14 +221,36 @@ def arc_handle(
     return turn_handle(f"end of the arc {letter}", angle, end)
 
 
-LEFT, RIGHT = VIEW.right_of_origin(-1.15), VIEW.right_of_origin(1.15)
+def right_of_origin(distance: Any) -> tuple[Any, Any, Any]:
+    """Return the place so far to the right in the picture, from wherever one looks."""
+    return -distance * sin(VIEW.azimuth), distance * cos(VIEW.azimuth), 0
+
+
+LEFT, RIGHT = right_of_origin(-1.15), right_of_origin(1.15)
+
+
+PRESSES = QuarterTurns()
+
+
+def last_rotation(part: Any = 1) -> Matrix:
+    """Return the matrix of the last quarter turn; the identity before the first."""
+    x, y, z = PRESSES.axis
+    c, s = cos(part * exact_pi / 2), sin(part * exact_pi / 2)
+    # about a coordinate axis, or about none
+    diagonal = (c + (1 - c) * (1 - u**2 - v**2) for u, v in ((y, z), (x, z), (x, y)))
+    return Matrix.diag(*diagonal) + s * Matrix([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+
+
+def compose(last: Matrix) -> Matrix:
+    """Return the rotation with the last turn: own axes on the right, the room's on the left."""
+    return PRESSES.own * (PRESSES.before * last) + (1 - PRESSES.own) * (last * PRESSES.before)
 
 
 def die_figure() -> Figure:
     """Draw the opening: a die, twelve buttons, a ghost."""
-    turns, steps = QuarterTurns(), NamedSteps()
-    last = steps.add("l", turns.last_rotation(turns.part))
-    now = steps.add("n", turns.compose(last))
+    turns, steps = PRESSES, NamedSteps()
+    last = steps.add("l", last_rotation(turns.part))
+    now = steps.add("n", compose(last))
     own, away = turns.own, 2 * (1 - turns.part)
     beside = -2.35 + own * (1.6 + away) - (1 - own) * away  # from its own side
     tasks = {99: "Bring the die onto its ghost.", 3: "Bring it there in as few turns as you can."}
@@ -240,14 +262,14 @@ def die_figure() -> Figure:
         ground="wall",
         controls=(turns,),
         shapes=(
-            *room(VIEW.right_of_origin(-1.4)),
-            *die(now, VIEW.right_of_origin(-1.4)),
-            *ghost_die(GHOST, VIEW.right_of_origin(1.4)),
+            *room(right_of_origin(-1.4)),
+            *die(now, right_of_origin(-1.4)),
+            *ghost_die(GHOST, right_of_origin(1.4)),
             *when(turns.count < 1, Label("text", (0, low), "no turn yet")),
             *when(
                 turns.count > 0,
                 Bracket(turns.before, (-0.75 - 1.6 * own, low), "before"),
-                Bracket(turns.last_rotation(), (beside, low), "the turn", columns=("icr",) * 3),
+                Bracket(last_rotation(), (beside, low), "the turn", columns=("icr",) * 3),
                 Label("text", (0.3, low), "="),
             ),
             *when(And(turns.count > 0, turns.part >= 1), Bracket(now, (1.4, low), "now")),
@@ -431,7 +453,7 @@ def target_figure() -> Figure:
             *die(now, LEFT),
             *turn_arc("α", first, outer, "icr", at=LEFT),
             *turn_arc("β", middle, mid, "icr", one, LEFT),
-            *ghost_die(R_AB, VIEW.right_of_origin(1.45), OF_B),
+            *ghost_die(R_AB, right_of_origin(1.45), OF_B),
         ),
         readouts=(Readout("in_place", "axes that point as in B", in_place, "", digits=0),),
         sentence="Turned about {axes} by {first} and {middle}: {in_place} axes as in frame B.",
@@ -474,7 +496,7 @@ def three_angles_figure() -> Figure:
             *turn_arc("α", first, X, "x_axis", at=LEFT),
             *turn_arc("β", middle, Y, "y_axis", one, LEFT),
             *turn_arc("γ", third, Z, "z_axis", two, LEFT),
-            *ghost_die(ghost, VIEW.right_of_origin(1.35)),
+            *ghost_die(ghost, right_of_origin(1.35)),
             Bracket(now, (-1.15, -1.9), "the die", digits=2),
             Bracket(ghost, (1.35, -1.9), "the ghost", digits=2),
         ),
@@ -615,7 +637,7 @@ def rings_figure() -> Figure:
     J[0, 0] = Piecewise((1, cos(middle) > 0), (-1, True))  # the body of -x is the same
     is_locked = Abs(cos(middle)) < 0.02
     across = Matrix([0, -sin(against), cos(against)])  # to the axes of the outer and middle ring
-    body = VIEW.right_of_origin(2.75)
+    body = right_of_origin(2.75)
     axes = [J[:, k] for k in range(3)]
     rates = (axes[0] + axes[1] + axes[2]) / sqrt(3)  # all rings at one rate
 
@@ -759,7 +781,7 @@ def one_turn_figure() -> Figure:
     (a, b), once = by_two(2 * part), part * 2 * exact_pi / 3
     two = euler.turned_about(Y, a) * euler.turned_about(Z, b)
     turned = at_once * once + (1 - at_once) * (a - b)
-    x, y, _ = VIEW.right_of_origin(1.35)
+    x, y, _ = right_of_origin(1.35)
     middle_of = (x, y, LIFTED)
     low = (x, y, 0)
 
@@ -788,7 +810,7 @@ def one_turn_figure() -> Figure:
         ),
         shapes=(
             *(Curve("ghost", VIEW.project(put(c)), s, 0, 2 * exact_pi, 36) for c in circles),
-            *die(euler.r, VIEW.right_of_origin(-1.3)),
+            *die(euler.r, right_of_origin(-1.3)),
             floor(low),
             VIEW.solid((stand,), UNTURNED, low, floor=FLOOR),
             *(
@@ -846,7 +868,7 @@ def one_axis_figure() -> Figure:
             Curve("icr", VIEW.project(arc), s, 0, 1, 16, depth=VIEW.depth(arc) + 0.2),
             *when(turn > 0.2, Label("icr", VIEW.project(around(turn / 2, 0.5)), "ϑ")),
             *die(R, LEFT),
-            *ghost_die(R_AB, VIEW.right_of_origin(1.45), OF_B),
+            *ghost_die(R_AB, right_of_origin(1.45), OF_B),
             Bracket(R, (-1.15, -2.1), digits=2, columns=("text",) * 3),
             Label("text", (-2.2, -2.1), "R ="),
         ),
@@ -1007,7 +1029,7 @@ def sequence_figure() -> Figure:
             *room(LEFT),
             *turn_axis(u, LEFT),
             *die(now, LEFT),
-            *ghost_die(R_AB, VIEW.right_of_origin(1.45), OF_B),
+            *ghost_die(R_AB, right_of_origin(1.45), OF_B),
         ),
         readouts=(
             *(

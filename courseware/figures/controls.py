@@ -124,18 +124,6 @@ class QuarterTurns:
     count: ClassVar[sp.Symbol] = sp.Symbol("presses", real=True)
     symbols: ClassVar[tuple[sp.Symbol, ...]] = (*before, *axis, own, part, count)
 
-    def last_rotation(self, part: Any = 1) -> sp.Matrix:
-        """Return the matrix of the last turn; the identity before the first."""
-        x, y, z = self.axis
-        c, s = sp.cos(part * sp.pi / 2), sp.sin(part * sp.pi / 2)
-        # about a coordinate axis, or about none
-        diagonal = (c + (1 - c) * (1 - u**2 - v**2) for u, v in ((y, z), (x, z), (x, y)))
-        return sp.diag(*diagonal) + s * sp.Matrix([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-
-    def compose(self, last: sp.Matrix) -> sp.Matrix:
-        """Return the rotation with the last turn: own axes on the right, the room's on the left."""
-        return self.own * (self.before * last) + (1 - self.own) * (last * self.before)
-
 
 Control = Slider | Choice | QuarterTurns
 

@@ -81,10 +81,6 @@ class View:
         """Return a body at a pose, with `floor`, `opacity` and `behind` as in `Solid`."""
         return solids.Solid(tuple(meshes), R, at, self.angles, **more)
 
-    def right_of_origin(self, distance: Expr) -> Triple:
-        """Return the place so far to the right in the picture, from wherever one looks."""
-        return -distance * sp.sin(self.azimuth), distance * sp.cos(self.azimuth), 0
-
     def frame(
         self, R: Any, at: Triple = ORIGIN, size: Expr = 1, labels: Sequence[str] = ("", "", "")
     ) -> tuple[Arrow, ...]:

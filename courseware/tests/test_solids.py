@@ -14,9 +14,10 @@ from hypothesis import strategies as st
 from small_figures import painted, space_figure
 from support import EPS, assert_close
 
+from book.euler.figures import PRESSES, compose, last_rotation
 from book.things import meshes, space
 from courseware.errors import CourseError
-from courseware.figures import VIEW, Bracket, QuarterTurns, Readout
+from courseware.figures import VIEW, Bracket, Readout
 from courseware.script import engine as script
 from robokin import euler
 
@@ -196,16 +197,15 @@ def test_shades_are_plain_colours_in_a_notebook():
 
 # --- Quarter turns --------------------------------------------------------------------------
 
-TURNS = QuarterTurns()
 presses = st.lists(st.sampled_from([s + x for s in ("", "-") for x in "xyzXYZ"]), max_size=6)
 
 
 def turning(**parts):
     """A body's rotation, entry by entry, after presses."""
-    now = TURNS.compose(TURNS.last_rotation(TURNS.part))
+    now = compose(last_rotation(PRESSES.part))
     names = [f"r{k}" for k in range(9)]
     right = {
-        "controls": (TURNS,),
+        "controls": (PRESSES,),
         "readouts": tuple(Readout(n, n, x, "") for n, x in zip(names, now, strict=True)),
         "shapes": (Bracket(now, (0, 0), "now"),),
         "sentence": "{turns}",

@@ -3,8 +3,8 @@
 A formula in a cell's output becomes a numbered equation, a figure a still picture that the script
 takes over, an exercise a box for the answer. Directives: `{formula-checks}` (every formula and its
 function), `{notation}`, `{practice} topic` (the exercises of a topic), `{errata}` (mistakes in the
-source documents), `{chapters}` (cards), `{live} figure`, `{still} figure`, `{facts}` (a text with
-counts), `{library}` (its functions), `{desk}` (the line with the student's name).
+source documents), `{chapters}` (cards), `{live} figure`, `{library}` (its functions), `{desk}` (the
+line with the student's name).
 
 Settings: `course_name` (the salt that picks each student's numbers; by default the course's own
 name), `course_solutions`, `course_wheels` and `course_lock` (needed by a downloaded notebook),
@@ -27,7 +27,7 @@ from courseware.predictions import page as predictions
 from courseware.run import page as run
 from courseware.site.assets import add_assets, write_assets, write_downloads
 from courseware.site.directives import Desk, Errata, Library, Practice, skip_fields
-from courseware.site.home_page import Chapters, Facts, Live, Still
+from courseware.site.home_page import Chapters, Live
 from courseware.site.notation_page import Notation
 from courseware.site.outputs import Outputs
 from courseware.site.verification_page import FormulaChecks
@@ -57,7 +57,7 @@ def _open_course(app: Sphinx, config: Any) -> None:
 
 def setup(app: Sphinx) -> dict[str, Any]:
     """Register the extension with Sphinx."""
-    for directive in (Chapters, Desk, Errata, Library, Live, Notation, Practice, Facts, Still):
+    for directive in (Chapters, Desk, Errata, Library, Live, Notation, Practice):
         app.add_directive(directive.__name__.lower(), directive)
     app.add_directive("formula-checks", FormulaChecks)
     for name, default in SETTINGS.items():

@@ -1,27 +1,21 @@
-"""Directives of the first page: figures, cards of chapters, the course in numbers."""
+"""Directives of the first page: figures, cards of chapters."""
 
 import re
 from dataclasses import replace
 from html import escape
-from string import Template
 
 from docutils import nodes
 from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective
 
 from courseware.course import course
-from courseware.equations.declared_checks import SAMPLES, declared_checks
 from courseware.errors import CourseError
 from courseware.figures import Figure
 from courseware.figures.figure import find_figure
-from courseware.practice.bank import all_exercises, all_mistakes
-from courseware.practice.variants import VARIANTS
 from courseware.site.outputs import render_figure
-from courseware.site.verification_page import format_power
 
 CARD = 358  # pixels, as on a phone, for which every figure is made
 ASPECT = 1.7  # of the picture on a card
-BESIDE = 132  # pixels, beside a proof
 
 
 class Live(SphinxDirective):
@@ -72,34 +66,3 @@ def widen(view: tuple[float, float, float, float]) -> tuple[float, float, float,
     wide, tall = right - left, high - low
     across, up = max(0, ASPECT * tall - wide) / 2, max(0, wide / ASPECT - tall) / 2
     return left - across, right + across, low - up, high + up
-
-
-class Still(SphinxDirective):
-    """A small picture that says nothing new, of a figure or of a `cards.py`."""
-
-    required_arguments = 1
-
-    def run(self) -> list[nodes.Node]:
-        drawn = re.sub("<defs>.*</defs>", "", find_picture(self.arguments[0]).render_svg(BESIDE))
-        html = f'<div aria-hidden="true">{drawn}</div>'
-        return [nodes.raw("", html, format="html", still=self.arguments)]
-
-
-class Facts(SphinxDirective):
-    """Text with counts of what the course declares: `$formulas`, `$mistakes`, `$figures`, …"""
-
-    has_content = True
-
-    def run(self) -> list[nodes.Node]:
-        checks = declared_checks().values()
-        figures = course().find_all("figures", Figure).values()
-        counts = {
-            "formulas": len(checks),
-            "points": SAMPLES,
-            "gap": format_power(max(check.tolerance for check in checks)),
-            "mistakes": len(all_mistakes()),
-            "exercises": len(all_exercises()),
-            "variants": VARIANTS,
-            "figures": sum(bool(figure.controls) for figure in figures),
-        }
-        return self.parse_text_to_nodes(Template("\n".join(self.content)).substitute(counts))

@@ -36,15 +36,15 @@ from courseware.figures.shapes import (
 )
 from courseware.figures.space import VIEW, bring_forward
 from courseware.figures.sprites import Gradient, Ground, Materials, Outline, Rim, Sprite
-from courseware.script.parts import Part, register
+from courseware.script.parts import Part, provide, register
 
+provide("courseware/figures/constants.js", looks.collect_constants)
 register(
     Part(
         name="figures",
         page="courseware/figures/page.js:startFigures",
         widget="courseware/figures/notebook.js:showFigure",
         styles=("courseware/figures/figure.css",),
-        constants={"courseware/figures/constants.js": looks.collect_constants},
         rules=looks.render_rules,
     )
 )

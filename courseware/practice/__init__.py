@@ -12,15 +12,15 @@ from courseware.practice.notebook import example, exercise, export, mistake, stu
 from courseware.practice.solution_steps import LocalEquation, Step
 from courseware.practice.solutions import Solution
 from courseware.practice.wrong_formula import WrongFormula
-from courseware.script.parts import Part, register
+from courseware.script.parts import Part, provide, register
 from courseware.units.formatting import format_number
 
+provide("courseware/practice/constants.js", rendering.constants)
 register(
     Part(
         name="practice",
         page="courseware/practice/page.js:startDesk",
         widget="courseware/practice/notebook.js:showExercise",
         styles=("courseware/practice/practice.css",),
-        constants={"courseware/practice/constants.js": rendering.constants},
     )
 )

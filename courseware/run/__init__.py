@@ -12,7 +12,7 @@ the kernel of JupyterLite needs parts of JupyterLab and 14 wheels before the fir
 import hashlib
 from importlib.resources import files
 
-from courseware.script.parts import Part, register
+from courseware.script.parts import Part, provide, register
 
 FETCHED = ("cells.js", "editor.js", "worker.js", "cells.py")
 
@@ -27,11 +27,11 @@ def version() -> str:
     return hashlib.sha256("".join(read_files().values()).encode()).hexdigest()[:8]
 
 
+provide("courseware/run/constants.js", lambda: {"VERSION": version()})
 register(
     Part(
         name="run",
         page="courseware/run/run_buttons.js:addRunButtons",
         styles=("courseware/run/run.css",),
-        constants={"courseware/run/constants.js": lambda: {"VERSION": version()}},
     )
 )

@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
 from typing import Any
@@ -22,8 +22,6 @@ class Part:
         widget: likewise the function that shows it in a notebook.
         styles: paths of its style sheets.
         rules: what Python adds to them; asked once a course is open.
-        constants: what Python tells the script, likewise: the path of a module that is no file,
-            and a function that returns its exports by name.
     """
 
     name: str
@@ -31,7 +29,6 @@ class Part:
     widget: str = ""
     styles: tuple[str, ...] = ()
     rules: Callable[[], str] = str
-    constants: Mapping[str, Constants] = field(default_factory=dict)
 
 
 _parts: dict[str, Part] = {}
@@ -41,11 +38,13 @@ _constants: dict[str, Constants] = {}
 def register(part: Part) -> None:
     """Make a part known, under its name."""
     _parts[part.name] = part
-    _constants.update(part.constants)
 
 
 def provide(path: str, constants: Constants) -> None:
-    """Make a module of constants known that several parts import."""
+    """Tell the script what Python knows, once a course is open: a module that is no file.
+
+    constants: returns its exports by name.
+    """
     _constants[path] = constants
 
 

@@ -60,6 +60,9 @@ class Cell {
     this.keep(this.k, { first: this.code.textContent, text });
   }
 
+  // Run, or Stop.
+  press() { return running === this.k ? stop() : runThrough(this.k); }
+
   async bringBack({ text }) {
     (await this.edit()).text = text;
     this.button.focus();
@@ -201,28 +204,12 @@ const runThrough = async (k) => {
   }
 };
 
-const makeCells = async (bars, keep) => {
+// The cell k of the page, when the reader first presses Run, writes or wants a change back.
+export const openCell = async (bars, k, keep) => {
   settings ??= JSON.parse(await fetchText(`settings.json${new URL(import.meta.url).search}`));
-  if (cells) return;
-  cells = bars.map((bar, k) => new Cell(bar, k, keep));
-  cells.forEach((cell) => cell.makeEditable());
-};
-
-// The reader wants a change back that was kept.
-export const bringBack = async (bars, k, keep, change) => {
-  await makeCells(bars, keep);
-  await cells[k].bringBack(change);
-};
-
-// The reader wants to write a program.
-export const write = async (bars, k, keep, point) => {
-  await makeCells(bars, keep);
-  (await cells[k].edit()).focus(point);
-};
-
-// The reader presses Run (or Stop) under the cell k.
-export const pressRun = async (bars, k, keep) => {
-  if (running === k) return stop();
-  await makeCells(bars, keep);
-  await runThrough(k);
+  if (!cells) {
+    cells = bars.map((bar, place) => new Cell(bar, place, keep));
+    cells.forEach((cell) => cell.makeEditable());
+  }
+  return cells[k];
 };

@@ -50,18 +50,14 @@ class WrongFormula:
         """The function from numbers, by the names of the symbols, to the wrong result."""
         return _compile_by_name(self.right)
 
-    @cached_property
-    def _replacements(self) -> dict[str, Callable[..., Any]]:
-        return {str(s): _compile_by_name(sp.sympify(value)) for s, value in self.replaced.items()}
-
     def substitute(self, values: Mapping[sp.Symbol, Any]) -> Any:
         """Return the wrong right side with expressions for its symbols."""
         return substitute(self.right, values)
 
     def replace(self, **numbers: Any) -> dict[str, Any]:
         """Return the numbers with the mistake applied to them, under the same names."""
-        known = self._replacements.items()
-        return numbers | {name: value(**numbers) for name, value in known if name in numbers}
+        known = ((str(s), sp.sympify(value)) for s, value in self.replaced.items())
+        return numbers | {n: _compile_by_name(x)(**numbers) for n, x in known if n in numbers}
 
     def wrap(self, function: Callable[..., Any]) -> Callable[..., Any]:
         """Return the function as somebody calls it who makes the mistake."""

@@ -3,7 +3,6 @@
 import ast
 import inspect
 from collections.abc import Iterator
-from functools import partial
 from itertools import groupby
 from typing import Any
 
@@ -47,17 +46,12 @@ def _describe(check: Check) -> str:
 
 def describe_function(check: Check) -> str:
     """Return what computes: a function, or the library's functions in one that adapts them."""
-    called = _called(check)
+    called = getattr(check.function, "func", check.function)  # of a partial
     is_adapter = _is_adapter(called)
     computing = _library_functions(called) if is_adapter else [called]
     names = " and ".join(dict.fromkeys(f"`{f.__module__}.{f.__name__}`" for f in computing))
     how = "*" + (called.__doc__ or "").partition("\n")[0].rstrip(".") + "*"
     return f"{names} ({how})" if names and is_adapter else names or how
-
-
-def _called(check: Check) -> Any:
-    """Return the function, without arguments that are given already."""
-    return check.function.func if isinstance(check.function, partial) else check.function
 
 
 def _is_adapter(function: Any) -> bool:

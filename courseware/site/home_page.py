@@ -5,11 +5,9 @@ from dataclasses import replace
 from html import escape
 
 from docutils import nodes
-from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective
 
 from courseware.course import course
-from courseware.errors import CourseError
 from courseware.figures import Figure
 from courseware.figures.figure import find_figure
 from courseware.site.outputs import render_figure
@@ -24,10 +22,7 @@ class Live(SphinxDirective):
     required_arguments = 1
 
     def run(self) -> list[nodes.Node]:
-        try:
-            return [render_figure(self.arguments[0])]
-        except CourseError as error:
-            raise ExtensionError(str(error)) from error
+        return [render_figure(self.arguments[0])]
 
 
 class Chapters(SphinxDirective):

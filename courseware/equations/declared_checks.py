@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from courseware.course import course
 from courseware.equations.equation import Equation, free_symbols
-from courseware.equations.quantities import describe_symbols, refuse_namesakes, sort_symbols
+from courseware.equations.quantities import refuse_namesakes, sort_symbols
 from courseware.errors import CourseError
 
 Array = NDArray[np.float64]
@@ -51,12 +51,6 @@ class Check:
 
     def __post_init__(self) -> None:
         refuse_namesakes(self.symbols, f"the check of {self.name}")
-        given = free_symbols(self.arguments)
-        if extra := sort_symbols(s for s in self.equation.symbols if s not in given):
-            raise CourseError(
-                f"the check of {self.name}: {describe_symbols(extra, given)} is in the formula, "
-                f"but not in `arguments`, which have {describe_symbols(sort_symbols(given), extra)}"
-            )
 
     @property
     def name(self) -> str:

@@ -811,7 +811,7 @@ def dots_figure() -> Figure:
         size="laboratory",
         controls=(
             replace(SCENE.common["controls"][0], start=0.42),
-            replace(SCENE.common["controls"][1], start=0.45),
+            replace(SCENE.common["controls"][1], start=0.35),
         ),
         where=WAYS,
         shapes=(
@@ -955,7 +955,7 @@ def nearest_figure() -> Figure:
             side_arm(way),
             Line("ghost", (ORIGIN, BALL_AT)),
             *when(OUTSIDE, Line("error", (best, BALL_AT))),
-            Point("target", best, "nearest"),
+            *when(OUTSIDE, Point("target", best, "nearest")),
         ),
         readouts=(Readout(apart), Readout("missed", "out of reach by", missed, "m")),
         goal=(

@@ -127,8 +127,8 @@ class Ghost(_Numbers):
         figure: its name.
         places: those sliders of the figure that place the ghost; while the question is open, they
             and their handles are all that can be moved. A handle at two sliders makes the first one
-            left and right, the second one up and down; an angle is turned; another slider goes by
-            its label.
+            left and right, the second one up and down; the only angle is turned; another slider
+            goes by its label.
         then: the sliders' values after the answer.
         free: sliders that can be moved meanwhile, to try the guess; they must not tell the answer.
         right: where the ghost belongs, a number for each slider.
@@ -158,7 +158,8 @@ class Ghost(_Numbers):
 
     def ways(self) -> list[tuple[str, str, str]]:
         """Return for each slider the words before an amount, and after too much and too little."""
-        found = {("rad", symbol): TURNED for symbol in self.places}
+        turned = [symbol for symbol in self.places if symbol.unit == "rad"]
+        found = {("rad", symbol): TURNED for symbol in turned if len(turned) == 1}
         for handle in find_figure(self.figure).handles:
             found |= {("m", at): way for at, way in zip(handle.at, PLACED, strict=False)}
         return [

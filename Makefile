@@ -1,7 +1,7 @@
 # make book    set everything up and build the site        make test          all tests
 # make serve   look at the site                            make test T=motion   one topic
 # make lab     open the notebooks in JupyterLab            make test-slow     what takes long
-# make paper   the book as PDF; make book after it links it
+# make paper   the book and a poster as PDF; make book after it links them
 # make notebooks, check, lock, bench, test-install, clean: see CONTRIBUTING.md
 
 PYTHON ?= python3

@@ -1,4 +1,4 @@
-"""What the first page offers: two zips for use without a network, and the book on paper.
+"""What the first page offers: two zips for use without a network, the book and a poster on paper.
 
 `robokin-kit.zip` holds `book/_kit`, the notebooks numbered as the chapters, the wheels and the list
 of packages. `robokin-site.zip` holds every page that needs no server. The PDFs are in both the
@@ -12,7 +12,12 @@ from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 from courseware.run.page import wheel_name
 
 KIT = Path(__file__).parents[1] / "_kit"
-PAPER = ("robokin.pdf", "robokin-without-answers.pdf")
+PAPER = (
+    "robokin.pdf",
+    "robokin-without-answers.pdf",
+    "robokin-poster-A4.pdf",
+    "robokin-poster-A2.pdf",
+)
 # JupyterLite needs a server; names with a dot belong to the build
 LEFT_OUT = ("lite/", "robokin-site.zip", ".")
 

@@ -6,14 +6,18 @@ from html import unescape
 from pathlib import Path
 from types import SimpleNamespace
 from unicodedata import normalize
+from xml.etree import ElementTree
 
 import pytest
-from browser import SITE, listed
+from browser import SITE, listed, watched_page
 from declared import EXERCISES
 from offline_bundle import PAPER, offer_paper
 from paper.pages import BUILD
 from paper.pdf import WORK, join_documents
+from poster import PICTURE
 from pypdf import PdfReader, PdfWriter
+
+from courseware.course import course
 
 pytest_plugins = ["browser"]
 
@@ -23,6 +27,8 @@ WITHOUT_ANSWERS = BUILD / "robokin-without-answers.pdf"
 CONTROLS = ("Link to this setting", "That is my guess", "Where should I look?")
 HEADING = re.compile(r"<h[12]>(.*?)<a class=\"headerlink\"", re.S)
 DRAWN = '<span class="katex-html"'
+WIDER = f"""() => [...document.querySelectorAll("svg > g > text")]
+  .filter((text) => text.getBBox().width > {PICTURE}).map((text) => text.textContent)"""
 NUMBERED = re.compile(rf'{DRAWN}((?:(?!{DRAWN}|<p>).)*?)<span class="eqno">(\(.*?\))', re.S)
 
 
@@ -176,6 +182,33 @@ def test_the_other_pdf_leaves_the_answers_out(pdf, texts):
     pages = len(without.pages), len(pdf.pages)
     assert pages[0] < pages[1], f"{pages[0]} pages without answers, {pages[1]} with them"
     assert not [page for page in without.pages if "Solution " in page.extract_text()]
+
+
+# --- the poster -----------------------------------------------------------------------------
+
+
+def test_the_poster_has_a_picture_of_each_chapter_and_needs_no_other_file(site):
+    poster = (site / "poster.svg").read_text("utf-8")
+    assert len(ElementTree.fromstring(poster).findall("{*}g/{*}svg")) == 8
+    titles = [f"{number} {course().title(c)}" for number, c in enumerate(course().taught[1:], 1)]
+    assert re.findall(r'font-weight="700">(\d .*?)</text>', poster) == titles
+    assert not re.search(r"(href|src)=\"(?!#)|url\((?!#)|@import|<script", poster)
+    assert missing_drawings(poster) == set()
+
+
+@pytest.mark.browser
+def test_no_words_of_the_poster_are_wider_than_its_pictures(server, chromium):
+    with watched_page(chromium, server) as (page, watch):
+        page.goto(f"{server}poster.svg")
+        assert (page.evaluate(WIDER), watch.errors, watch.strangers) == ([], [], [])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("name", "millimetres"), [(PAPER[2], 210), (PAPER[3], 420)])
+def test_a_poster_is_one_sheet_of_its_size(name, millimetres):
+    (sheet,) = PdfReader(BUILD / name).pages
+    assert abs(float(sheet.mediabox.width) / 72 * 25.4 - millimetres) < 1, "Chromium's own rounding"
+    assert len(sheet.images) == 0, "all is drawn as lines"
 
 
 # --- on the site ----------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-"""Write the book as two PDFs, from the built site (`make paper`).
+"""Write the book as two PDFs, and the poster, from the built site (`make paper`).
 
 Folded parts of the site (answers, solutions, long code) are open in one and left out of the other.
 """
@@ -35,6 +35,8 @@ def main():
             count = pdf.write(browser, front, file, shown, folds_open)
             megabytes, seconds = file.stat().st_size / 1e6, time.monotonic() - began
             print(f"_build/{name}: {count} pages, {megabytes:.1f} MB, {seconds:.0f} s", flush=True)
+        for size in ("A4", "A2"):
+            pdf.print_poster(browser, BUILD / f"robokin-poster-{size}.pdf", size)
 
 
 def render_solution(exercise):

@@ -13,7 +13,7 @@ from pypdf import PdfReader, PdfWriter
 from pypdf.constants import PageLabelStyle
 from pypdf.generic import ArrayObject, FloatObject, NameObject, TextStringObject
 
-from paper.pages import BUILD, HERE, read_pages
+from paper.pages import BUILD, HERE, SITE, read_pages
 
 WORK = BUILD / "paper"
 HOME = "https://book/"  # of links of the contents, until they lead into the text
@@ -132,3 +132,12 @@ def write(browser, front, file, solutions, folds_open):
     writer = join_documents(contents, text, entries, title)
     writer.write(file)
     return len(writer.pages)
+
+
+def print_poster(browser, file, size):
+    """Print the site's poster on a sheet of some size."""
+    tab = browser.new_page()
+    poster = (SITE / "poster.svg").read_text("utf-8")
+    tab.set_content(f"<style>body {{ margin: 0 }} body > svg {{ width: 100vw }}</style>{poster}")
+    tab.pdf(path=file, format=size, print_background=True)
+    tab.close()

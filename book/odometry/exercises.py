@@ -284,7 +284,7 @@ odometry_1 = Exercise(
     },
     solution=Solution(
         "The wheel made so many turns:\n\n{turns}\n\nIn one turn it rolls its circumference:"
-        "\n\n{around}\n\nThe way is the product of the two:\n\n{way}",
+        "\n\n{around}\n\nThe distance is the product of the two:\n\n{way}",
         turns=Step(
             LocalEquation(TURNS, N / formulas.C),
             expected=lambda C, r, N: odometry.travel(N, C, 1.0) / (2 * np.pi),
@@ -333,7 +333,7 @@ odometry_2 = Exercise(
         "The difference of the two readings is far too much for a few turns:\n\n{jump}\n\n"
         "So the counter went {end}. It has as many numbers as its bits allow:\n\n{span}\n\n"
         "Of the two ways round, the shorter one is meant:\n\n{ticks}\n\n"
-        "That many ticks are this way:\n\n{way}\n\n"
+        "That many ticks are this distance:\n\n{way}\n\n"
         "A formula with the rest of a division needs no such thought. It gives the same number of "
         "ticks:\n\n{both}",
         answer=("way",),
@@ -392,7 +392,7 @@ odometry_3 = Exercise(
     solution=Solution(
         "The middle of the axle moves by the mean of the two ways, and the robot turns by their "
         "difference over the wheel distance:\n\n{distance}\n\n{turned}\n\n"
-        "The rule lays the whole way in the direction of the new heading, which is the old heading "
+        "The rule lays all of it in the direction of the new heading, which is the old heading "
         "and the turn together:\n\n{pose}",
         distance=Step(formulas.distance),
         turned=Step(formulas.turn),
@@ -427,9 +427,9 @@ odometry_4 = Exercise(
         "with the way of one wheel only": lambda r, C, n, N_R: rolled(N_R, C, r) / (2 * np.pi * n),
     },
     solution=Solution(
-        "The two wheels roll the same way, the left one backward:\n\n{ways}\n\n"
+        "The two wheels roll the same distance, the left one backward:\n\n{ways}\n\n"
         "The robot makes {n} full turns:\n\n{turned}\n\n"
-        "The turn is the difference of the two ways, over the wheel distance. So the wheel "
+        "The turn is the difference of both distances, over the wheel distance. So the wheel "
         "distance is the difference over the turn:\n\n{b}",
         ways=Step(formulas.travel, {formulas.N_L: -formulas.N_R}),
         turned=Step(WHOLE_TURNS),
@@ -464,9 +464,9 @@ odometry_5 = Exercise(
     ),
     solution=Solution(
         "In one tick the wheel rolls its circumference over C. This changes the turning rate by "
-        "the way over b and over the time Δt. The change must be at most Δω, which is {limit:.6f} "
+        "that over b and over the time Δt. The change must be at most Δω, which is {limit:.6f} "
         "rad/s. So C must be at least\n\n{least}\n\nThe smallest such whole number is {C.value} a "
-        "turn.\n\nA test: with this C, one tick is the way\n\n{way}\n\nIt changes the turning "
+        "turn.\n\nA test: with this C, one tick is the distance\n\n{way}\n\nIt changes the turning "
         "rate by\n\n{change}\n\nThis is not more than Δω.",
         answer=("C",),
         least=Step(RESOLUTION, {planar.dt: "period", LIMIT: "limit"}),
@@ -728,7 +728,7 @@ odometry_10 = Exercise(
     solution=Solution(
         "The middles of the five ends are ({x_cw}, {y_cw}) clockwise and ({x_ccw}, {y_ccw}) "
         "counter-clockwise; in them random errors mostly cancel. Their sum and difference give the "
-        "angle by which a corner is too short, and the one by which a side swings to the left:"
+        "angle by which a corner turns too little, and the one by which a side swings to the left:"
         "\n\n{angles}\n\nShort corners mean another wheel distance, swinging sides unequal wheels:"
         "\n\n{sizes}",
         angles=Step(formulas.calibration_angles),

@@ -88,18 +88,22 @@ quantity, _ = declarations(__name__)
 TICKS, RADIUS, BASE = 512, 0.05, 0.2  # ticks a turn, wheel radius, wheel distance [m]
 LEFT, RIGHT = 3072, 5120  # ticks of its wheels on a whole circle
 CIRCLE = 0.4  # m, radius of that circle
-SAMPLE = {N_L: 384, N_R: 640}  # ticks, of the exercise
+SAMPLE, SAMPLE_TIME = {N_L: 384, N_R: 640}, 0.5  # ticks, and s, of the exercise
 HALF = BASE / 2
 ORIGIN, AT_ORIGIN = (0, 0), (0, 0, 0)
 DEGREE = pi / 180
 TABLE = np.random.default_rng(7).normal(size=(200, 2, 6)).round(2)  # of all drives that err
 
+K = 1e-4  # m: variance of a wheel's travel per metre
+HOLDS_95 = sqrt(-2 * log(0.05))  # half-axis of the ellipse that holds 95 %, by σ
+
 samples = quantity("samples", "", 3, 32, "number of samples of the encoders", latex="n")
 turned = quantity("turned", "rad", 0, 6.3, "how far the robot turns in a drive", latex=r"\Phi")
 wheel_error = quantity(
-    "wheel_error", "m", 0.001, 0.02, "standard deviation of a wheel's travel over 1 m"
+    "wheel_error", "m", 0.001, 0.03, "standard deviation of a wheel's travel over 1 m"
 )
 minutes = quantity("minutes", "s", 0, 60, "time of the whole drive", latex="T")
+near = quantity("near", "m", 0, 0.2, "how near to the dock the belief has to end")
 dock_x = quantity("dock_x", "m", -2, 2, "where the robot is to stop, along x")
 dock_y = quantity("dock_y", "m", -2, 2, "where the robot is to stop, along y")
 dock_heading = quantity("dock_heading", "rad", -9, 9, "how the robot looks where it is to stop")
@@ -146,12 +150,14 @@ def inline_steps(steps: Any, values: dict[Any, Any]) -> dict[Any, Any]:
 # --- Opening
 
 PIECES_IN_DARK, DARK_NOISE = 16, 1.6e-3  # m: variance of a wheel's travel per metre
-NEAR = 5  # cm, by its own belief
-WAYS = {  # seconds, and where its belief has to end
-    name: (time, *(float(u) for u in arc_to(v * time, w * time, (0, 0, pi / 2))))
-    for name, time, v, w in (("short", 6.0, 0.14, 0.2), ("long", 16.0, 0.115, 0.3))
-}
 START = (0, 0, pi / 2)
+WAYS = {  # seconds, how near to the dock its belief has to end, and where that is
+    name: (time, close, *(float(u) for u in arc_to(v * time, w * time, START)))
+    for name, time, close, v, w in (
+        ("short", 6.0, 0.05, 0.14, 0.2),
+        ("long", 16.0, 0.1, 0.115, 0.3),
+    )
+}
 ARROW = 2  # s: an arrow is as long as the way in this time
 index = Symbol("piece")  # of a drive that errs
 
@@ -195,6 +201,12 @@ def tips() -> tuple[tuple[Any, ...], tuple[Handle, ...]]:
     )
 
 
+def counter(symbol: Any, at: Any, long: float, number: str) -> tuple[Any, ...]:
+    """Return a counter that shows a number, with its letter beside it."""
+    box, beside = things.counter((*at, 0), long, long / 2), (at[0] - 0.7 * long, at[1])
+    return box, Label("text", at, number), Label(symbol, beside)
+
+
 def docks(pose: Any) -> Sprite:
     """Return the dock for a robot that stops at a pose."""
     return things.dock((*point_of(pose, 0.2), pose[2] + pi))
@@ -204,10 +216,11 @@ def dark_figure() -> Figure:
     """Draw the opening: drive to the dock by belief alone; then the light goes on."""
     real, dock = real_loop(), (dock_x, dock_y, dock_heading)
     believed, end = (roll(v_L * time, v_R * time, START) for time in (minutes * s, minutes))
-    lit = distance(end, dock) < NEAR / 100
+    lit = distance(end, dock) < near
     arrows, handles = tips()
-    now = substitute(sp.Matrix(believed), {s: t})
+    now = substitute(sp.Matrix(believed), {s: Min(t / minutes, 1)})
     gap, there = distance(real.ends, end), real.ends[:2]
+    counted = [v * minutes * TICKS / (2 * pi * RADIUS) for v in (v_L, v_R)]
     wheels = (("left", HALF), ("right", -HALF))
     return Figure(
         name="dark-room",
@@ -218,11 +231,9 @@ def dark_figure() -> Figure:
         controls=(
             Slider(v_L, -0.1, 0.25, start=0.1, step=0.005),
             Slider(v_R, -0.1, 0.25, start=0.1, step=0.005),
-            Choice("way_home", "way home", (minutes, dock_x, dock_y, dock_heading), WAYS),
-            Clock(t, 0.0, 1.0, start=1.0, step=0.02, rate=0.25, label="part of the drive"),
+            Choice("drive_home", "drive", (minutes, near, dock_x, dock_y, dock_heading), WAYS),
+            Clock(t, 0.0, 16.0, start=16.0, step=0.2, rate=4.0, label="time"),
         ),
-        where=((N_L, v_L * minutes * TICKS / (2 * pi * RADIUS)),
-               (N_R, v_R * minutes * TICKS / (2 * pi * RADIUS))),
         shapes=(
             *when(lit, things.lamplight((-0.15, 0.14, 0), 1.6)),
             docks(dock),
@@ -233,35 +244,34 @@ def dark_figure() -> Figure:
             ),
             *when(lit, Line("error", (there, end)), vacuum((*there, real.ends[2]))),
             vacuum(now, look="ghost"),
+            Point("ghost", now, "ghost"),
             *arrows,
-            things.counter((0.66, -0.18, 0), 0.3, 0.1),
-            things.counter((0.66, -0.45, 0), 0.3, 0.1),
-            Label(N_L, (0.66, -0.07), "{N_L}"),
-            Label(N_R, (0.66, -0.34), "{N_R}"),
+            *counter(N_L, (0.72, -0.16), 0.36, "{left}"),
+            *counter(N_R, (0.72, -0.44), 0.36, "{right}"),
             Label("target", point_of(dock, 0.36), "dock"),
         ),
         handles=handles,
         readouts=(
-            Readout(N_L, "left counter", digits=0),
-            Readout(N_R, "right counter", digits=0),
+            Readout("left", "left counter, ticks", counted[0], "", 0, symbol=N_L),
+            Readout("right", "right counter, ticks", counted[1], "", 0, symbol=N_R),
+            Readout("away", "ghost to the dock", distance(end, dock), "cm", 0),
             Readout(
-                "gap", "really beside its belief", Piecewise((gap, lit), (nan, True)), "cm", 0,
+                "gap", "robot to ghost", Piecewise((gap, lit), (nan, True)), "cm", 0,
                 words={"nan": "dark"},
             ),
         ),
         goal=tuple(
             Goal(
-                And(lit, Abs(minutes - WAYS[name][0]) < 1),
-                f"Ghost to the dock, {name} way: within {NEAR} cm.",
+                And(lit, Abs(minutes - time) < 1),
+                f"Ghost to the dock, {name}: within {100 * close:.0f} cm.",
             )
-            for name in WAYS
+            for name, (time, close, *_) in WAYS.items()
         ),
     )  # fmt: skip
 
 
 def exercise_figure() -> Figure:
     """Draw the robot of the exercise with all its symbols, at rest."""
-    readings = zip((N_L, N_R), SAMPLE.values(), (0.3, -0.3), strict=True)
     return Figure(
         name="encoder-exercise",
         title=(
@@ -276,18 +286,8 @@ def exercise_figure() -> Figure:
             vacuum(AT_ORIGIN),
             Length(b, (-0.02, HALF), (-0.02, -HALF), aside=-0.25, label="b = 20 cm"),
             Length(r, (-0.05, -HALF), (0, -HALF), aside=-0.12, label="r = 5 cm"),
-            *(
-                shape
-                for symbol, reading, high in readings
-                for shape in (
-                    things.counter((0.38, high, 0), 0.26, 0.1),
-                    Label(
-                        symbol,
-                        (0.38, high - 0.1 * (1 if high > 0 else -1)),
-                        f"{symbol} = {reading}",
-                    ),
-                )
-            ),
+            *counter(N_L, (0.42, 0.28), 0.28, str(SAMPLE[N_L])),
+            *counter(N_R, (0.42, -0.28), 0.28, str(SAMPLE[N_R])),
         ),
     )
 
@@ -312,29 +312,30 @@ def pulses(high: float, rises: float) -> Line:
 def tick_figure() -> Figure:
     """Draw a wheel from the side with its slotted disc and light gates, rolled by hand."""
     hub = (way, RADIUS, 0)
+    counted = sp.floor(way * SLOTS / (2 * pi * RADIUS) + sp.Rational(7, 8))
     return Figure(
         name="tick",
         title="A wheel from the side on a ruler, its slotted disc, two light gates and a counter",
         view=(-0.1, 0.5, -0.19, 0.19),
         ground="wall",
-        controls=(Slider(way, 0.0, 0.4, start=0.0, step=0.001, label="way of the wheel"),),
-        where=((N_R, sp.floor(way * SLOTS / (2 * pi * RADIUS) + sp.Rational(7, 8))),),
+        controls=(Slider(way, 0.0, 0.4, start=0.0, step=0.001, label="distance rolled"),),
         shapes=(
             things.ruler((0, 0, 0), 0.1, 4),
-            *(Label("text", (k / 10, -0.034), f"{10 * k} cm") for k in (1, 2, 3, 4)),
+            *(Label("text", (k / 10, -0.036), str(10 * k)) for k in range(5)),
+            Label("text", (0.45, -0.036), "cm"),
             things.encoder_wheel((*hub[:2], pi / 2), way, RADIUS, SLOTS, "right2"),
             things.light_gate(hub, RADIUS, SLOTS),
             pulses(-0.095, 1 / 8),
             pulses(-0.15, 3 / 8),
             Line("right", ((way, -0.06), (way, -0.17))),
-            Label("text", (-0.04, -0.086), "A"),
-            Label("text", (-0.04, -0.141), "B"),
-            things.counter((0.43, 0.12, 0), 0.1, 0.045),
-            Label("right", (0.43, 0.16), "{N_R}"),
+            *(Label("text", (x, y), "A") for x, y in ((-0.04, -0.086), (way - 0.03, 0.13))),
+            *(Label("text", (x, y), "B") for x, y in ((-0.04, -0.141), (way + 0.03, 0.13))),
+            things.counter((0.43, 0.12, 0), 0.1, 0.056),
+            Label("text", (0.43, 0.12), "{counted}"),
         ),
         handles=(Handle("the wheel", hub[:2], {way: POINTER[0]}),),
-        readouts=(Readout(N_R, "counter", digits=0), Readout("way_now", "way", way, "cm", 1)),
-        goal=Goal(And(N_R > 6.5, N_R < 7.5), "Roll the wheel until the counter shows 7."),
+        readouts=(Readout("counted", "counter, ticks", counted, "", 0, symbol=N_R),),
+        goal=Goal(And(counted > 6.5, counted < 7.5), "Roll the wheel until the counter shows 7."),
         grid=False,
     )
 
@@ -355,8 +356,8 @@ def strips_figure() -> Figure:
         view=(-0.34, 0.62, -0.3, 0.36),
         ground="tiles",
         controls=(
-            Slider(D_L, -0.1, 0.4, start=0.2, step=0.01, label="left strip D_L"),
-            Slider(D_R, -0.1, 0.4, start=0.2, step=0.01, label="right strip D_R"),
+            Slider(D_L, -0.1, 0.4, start=0.2, step=0.001, label="left strip D_L"),
+            Slider(D_R, -0.1, 0.4, start=0.2, step=0.001, label="right strip D_R"),
         ),
         where=((b, BASE), *assign(odometry.distance, odometry.turn)),
         shapes=(
@@ -376,8 +377,8 @@ def strips_figure() -> Figure:
                     (STRIP - 0.03, longer[0] - 0.15),
                     "",
                 ),
+                Label("turning", (STRIP, longer[0] - 0.1), "difference"),
             ),
-            Label("turning", (STRIP + 0.02, -0.26), "difference"),
         ),
         handles=(
             Handle("end of the left strip", (STRIP, D_L - 0.15), {D_L: POINTER[1] + 0.15}),
@@ -447,7 +448,8 @@ def bent_figure() -> Figure:
 
 def guess_figure() -> Figure:
     """Draw a place to guess: where the robot of the exercise is after its sample."""
-    end, along = (roll(EXERCISE[D_L] * u, EXERCISE[D_R] * u) for u in (t, s))
+    rolled, so_far = ([EXERCISE[D] * u / SAMPLE_TIME for D in (D_L, D_R)] for u in (t, s))
+    end, along = roll(*rolled), roll(*so_far)
     return Figure(
         name="rule-guess",
         title="The robot of the exercise at its start, and your guess of where it is after it",
@@ -456,13 +458,13 @@ def guess_figure() -> Figure:
         controls=(
             Slider(guess_x, -0.1, 0.5, start=0.1, step=0.005, label="x"),
             Slider(guess_y, -0.2, 0.3, start=-0.1, step=0.005, label="y"),
-            Clock(t, 0.0, 1.0, step=0.02, rate=0.5, label="part of the sample"),
+            Clock(t, 0.0, SAMPLE_TIME, step=0.01, rate=0.25, label="time"),
         ),
         shapes=(
             vacuum(AT_ORIGIN, look="ghost"),
             Line("ghost", (ORIGIN, (0.6, 0))),
             *tracks(along, t),
-            vacuum(end, (EXERCISE[D_L] * t, EXERCISE[D_R] * t)),
+            vacuum(end, rolled),
             Point("target", (guess_x, guess_y), "your guess"),
         ),
         handles=(Handle("your guess", (guess_x, guess_y)),),
@@ -495,11 +497,14 @@ def rules_step_figure() -> Figure:
             vacuum(end, (D, D)),
             *(Arrow(kind, ORIGIN, ends[kind], "") for kind, *_ in RULES),
             Curve("path", along, s, 0, 1),
-            *(Point(kind, ends[kind], word if word != "middle" else "") for kind, _, word in RULES),
-            Label("text", (-0.11, 0.3), "arc: the robot"),
+            *(Point(kind, ends[kind], word) for kind, _, word in RULES),
+            Point("path", arc_to(D / 2, dtheta / 2), "arc"),
         ),
         readouts=tuple(
-            Readout(f"off_{word}", f"{word} heading off by", distance(ends[kind], end), "cm", 1)
+            Readout(
+                f"off_{word}", f"{word} heading off by", distance(ends[kind], end), "cm", 1,
+                symbol=kind,
+            )
             for kind, _, word in RULES
         ),
         goal=Goal(
@@ -507,7 +512,7 @@ def rules_step_figure() -> Figure:
             "Drive at least 30 cm and turn at least 10° with the old heading off by less than "
             "3 cm.",
         ),
-    )
+    )  # fmt: skip
 
 
 # --- 4 Many samples
@@ -551,7 +556,8 @@ def rules_figure() -> Figure:
         half = turned / s / 2
         longer = half / sin(half)
         off = sp.sqrt((longer - 1) ** 2 + 4 * longer * sin(half / 2) ** 2)
-    loops = (("old_heading", old), ("new_heading", new), ("middle_heading", middle))
+    loops = tuple(zip(RULES, (old, new, middle), strict=True))
+    first = {x: 0, y: 0, theta: 0, D: CIRCLE * turned / samples, dtheta: turned / samples}
     laws = (("old_heading", widest * off), ("middle_heading", widest * (longer - 1)))
     return Figure(
         name="four-rules",
@@ -564,17 +570,25 @@ def rules_figure() -> Figure:
         ),
         shapes=(
             Curve("path", arc_to(CIRCLE * s, s), s, 0, turned),
-            *(Trail(kind, (x, y), loop) for kind, loop in loops),
+            *(Trail(kind, (x, y), loop) for (kind, *_), loop in loops),
+            *(Label(kind, rule.substitute(first)[:2], word) for kind, rule, word in RULES[:2]),
             vacuum(AT_ORIGIN, look="ghost"),
             vacuum(end),
             *graph.shapes(),
             *(Curve(kind, graph.place((s, Max(law, 1e-4))), s, 4, 40, 32) for kind, law in laws),
             *(
                 Point(kind, graph.place((samples, Max(loop.ends[-1], 1e-4))), "")
-                for kind, loop in loops
+                for (kind, *_), loop in loops
+            ),
+            *(
+                Label(kind, graph.place((30, 2.5 * substitute(law, {s: 30}))), word)
+                for (kind, law), word in zip(laws, ("old, new", "middle"), strict=True)
             ),
         ),
-        readouts=(*worst_readouts((old, new, middle)),),
+        readouts=tuple(
+            Readout(word, f"{word}, largest error", loop.ends[-1], "m", 4, symbol=kind)
+            for (kind, _, word), loop in loops
+        ),
         sentence=(
             "The robot turns by {turned}, read in {samples} samples. Largest error on the way: "
             "old heading {old}, new heading {new}, middle heading {middle}."
@@ -585,14 +599,6 @@ def rules_figure() -> Figure:
         ),
         grid=False,
     )
-
-
-def worst_readouts(loops: tuple[Recurrence, ...]) -> list[Readout]:
-    """Return readouts of the largest error on the way, rule by rule."""
-    return [
-        Readout(name, f"{name}, worst", loop.ends[-1], "m", digits=4)
-        for name, loop in zip(("old", "new", "middle"), loops, strict=True)
-    ]
 
 
 # --- 5 A door
@@ -676,44 +682,44 @@ def door_figure() -> Figure:
 
 
 TEN = 10
-K_SHOWN = 3e-4  # m: a noise that one sees
 
 
 def lever_terms() -> list[tuple[Any, ...]]:
-    """Return for each tenth of the S-shaped way the contacts of both wheels and its term."""
+    """Return for each tenth of the S-shaped way both contacts with their bars, and its term.
+
+    A bar is the shift of the end by a slip of that wheel's own size, as large as the ellipse.
+    """
     found = []
     for k in range(TEN):
         pose = tuple(float(u) for u in on_s((k + 0.5) / TEN))
         sign = 1 if k < TEN / 2 else -1
         ways = [2 * ARC / TEN + side * sign * 2 * TURN / TEN * HALF for side in (-1, 1)]
         known = dict(zip((odometry.l_x, odometry.l_y), np.subtract(S_END, pose)[:2], strict=True))
-        known |= {
-            theta: pose[2],
-            b: BASE,
-            noise: K_SHOWN,
-            **dict(zip((D_L, D_R), ways, strict=True)),
-        }
-        known |= dict.fromkeys((odometry.p_xx, odometry.p_xy, odometry.p_yy), 0)
+        known |= {theta: pose[2], b: BASE, noise: K, **dict(zip((D_L, D_R), ways, strict=True))}
         known = inline_steps(odometry.lever_term.where, known)
         term = [float(u) for u in substitute(odometry.lever_term.right, known)]
-        contacts = [tuple(map(float, point_of(pose, 0, side))) for side in (HALF, -HALF)]
-        found.append((contacts, term))
+        doors = []
+        wheels = ((HALF, odometry.lever_L, ways[1]), (-HALF, odometry.lever_R, ways[0]))
+        for side, (along, up), rolled in wheels:
+            size = HOLDS_95 * sqrt(K * rolled) / BASE
+            turned = -size * float(known[up]), size * float(known[along])
+            bar = tuple((S_END[0] + f * turned[0], S_END[1] + f * turned[1]) for f in (-1, 1))
+            doors.append((tuple(map(float, point_of(pose, 0, side))), bar))
+        found.append((doors, term))
     return found
 
 
 def ten_doors_figure() -> Figure:
-    """Draw ten slips, each with its lever; their terms add up to the ellipse of the end."""
+    """Draw ten slips, each with its levers; their terms add up to the ellipse of the end."""
     terms = lever_terms()
     shapes: list[Any] = []
-    for k, (contacts, term) in enumerate(terms):
-        one, now = count > k + 0.5, And(count > k + 0.5, count < k + 1.5)
-        size = sqrt(term[0] + term[2])
-        angle = 0.5 * np.arctan2(2 * term[1], term[0] - term[2])
-        across = (2 * size * float(np.cos(angle)), 2 * size * float(np.sin(angle)))
-        ends = tuple((S_END[0] + f * across[0], S_END[1] + f * across[1]) for f in (-1, 1))
-        shapes += when(one, *(Line("ghost", (contact, S_END[:2])) for contact in contacts))
-        shapes += when(one, Line("turning", ends), Point("icr", contacts[0], ""))
-        shapes += when(now, Line("icr", (contacts[0], S_END[:2])))
+    bars: list[Any] = []
+    for k, (doors, _) in enumerate(terms):
+        so_far, now = count > k + 0.5, And(count > k + 0.5, count < k + 1.5)
+        for contact, bar in doors:
+            shapes += when(so_far, Line("ghost", (contact, S_END[:2])), Point("icr", contact, ""))
+            shapes += when(now, Line("icr", (contact, S_END[:2])))
+            bars += when(so_far, Line("turning", bar))
     steps = NamedSteps()
     xx, xy, yy = (
         steps.add(
@@ -727,17 +733,16 @@ def ten_doors_figure() -> Figure:
     return Figure(
         name="ten-doors",
         title="Ten slips along the S-shaped way, their levers, and the ellipse of their sum",
-        view=(-0.3, 2.35, -0.75, 0.95),
+        view=(-0.25, 2.1, -0.42, 1.08),
         ground="tiles",
-        controls=(Slider(count, 1, TEN, start=1, step=1, label="slips so far"),),
+        controls=(Slider(count, 1, TEN, start=1, step=1, label="pieces so far"),),
         where=steps,
         shapes=(
             vacuum(S_START, look="ghost"),
             Curve("path", on_s(s), s, 0, 1),
             *shapes,
-            vacuum(S_END, look="ghost"),
-            _ellipse(S_END, (xx, xy, yy), 2),
-            Label("text", (2.0, -0.6), "2 σ"),
+            *_ellipse(S_END, (xx, xy, yy)),
+            *bars,
         ),
         readouts=(
             Readout("sigma_x", "σ along x", sp.sqrt(xx), "cm", 1),
@@ -746,21 +751,21 @@ def ten_doors_figure() -> Figure:
     )
 
 
-def _ellipse(centre: Any, entries: Any, scale: float, kind: str = "uncertainty") -> Curve:
-    """Return the ellipse of a covariance of x and y, so many standard deviations large."""
-    xx, xy, yy = entries
-    wide = sp.sqrt(xx)
+def _ellipse(centre: Any, entries: Any) -> tuple[Curve, Label]:
+    """Return the ellipse that holds 95 % of what has a covariance of x and y, with its label."""
+    xx, xy, yy = (HOLDS_95**2 * entry for entry in entries)
+    wide, high = sp.sqrt(xx), sp.sqrt(yy)
     at = (
-        centre[0] + scale * wide * cos(s),
-        centre[1] + scale * (xy / wide * cos(s) + sp.sqrt(Max(yy - xy**2 / xx, 0)) * sin(s)),
+        centre[0] + wide * cos(s),
+        centre[1] + xy / wide * cos(s) + sp.sqrt(Max(yy - xy**2 / xx, 0)) * sin(s),
     )
-    return Curve(kind, at, s, 0, 2 * pi)
+    top = centre[0] + xy / high, centre[1] + high
+    return Curve("uncertainty", at, s, 0, 2 * pi), Label("uncertainty", top, "95 %")
 
 
 # --- 6 Many small doors
 
 STEPS = 6  # samples of the drive
-HOLDS_95 = sqrt(-2 * log(0.05))  # half-axis of the ellipse that holds 95 %, by σ
 
 
 def covariance_loop(
@@ -796,10 +801,10 @@ def loop_entries(loop: Recurrence) -> tuple[Any, ...]:
 
 
 def half_axes(entries: Any) -> Any:
-    """Return the half-axes of an ellipse, 1 σ."""
+    """Return the half-axes of the ellipse that holds 95 %."""
     values = dict(zip((odometry.p_xx, odometry.p_xy, odometry.p_yy), entries, strict=True))
     steps = inline_steps(odometry.ellipse_axes.where, values)
-    return substitute(odometry.ellipse_axes.right, steps)
+    return [HOLDS_95 * axis for axis in substitute(odometry.ellipse_axes.right, steps)]
 
 
 ROW = symbols("row z_L:6 z_R:6", real=True)
@@ -826,47 +831,41 @@ def ellipse_figure() -> Figure:
     place = noisy_end()
     shown = [Piecewise((u, ROW[0] < count - 0.5), (nan, True)) for u in place[:2]]
     entries, tt = loop_entries(loop), loop.ends[-1]
-    long_axis, short_axis = (HOLDS_95 * axis for axis in half_axes(entries))
-    direction, chord = atan2(POINTER[1], POINTER[0]), sp.sqrt(POINTER[0] ** 2 + POINTER[1] ** 2)
+    long_axis, short_axis = half_axes(entries)
+    high = HOLDS_95 * sp.sqrt(entries[2])
+    near_by = ((-1.15, -0.5), (0.4, 0.5), (0, -high), (0, high))
     return Figure(
         name="error-ellipse",
-        title="The ends of two hundred drives, and the ellipse that holds 95 of 100 of them",
-        view=(-0.9, 3.4, -1.0, 1.9),
+        title="The ends of two hundred drives, and the ellipse that was computed for them",
+        view=(-1.1, 1.1, -0.75, 0.75),
+        contain=tuple((end[0] + dx, end[1] + dy) for dx, dy in near_by),
         ground="tiles",
         size="laboratory",
         controls=(
             Slider(
-                wheel_error, 0.001, 0.02, start=0.012, step=0.001, kind="uncertainty",
+                wheel_error, 0.001, 0.03, start=0.01, step=0.001, kind="uncertainty",
                 label="wheel error over 1 m",
             ),
-            Slider(drive, 0.25, 3, start=2.5, step=0.05, label="distance s"),
-            Slider.degrees(turned, 0, 360, start=60, step=5, label="turned in all"),
+            Slider(drive, 0.25, 3, start=1, step=0.05, label="distance s"),
+            Slider.degrees(turned, 0, 360, start=0, step=5, label="turned in all"),
             Clock(count, 0, 200, start=200, step=1, rate=40, label="drives"),
         ),
         shapes=(
             vacuum(AT_ORIGIN, look="ghost"),
             Curve("path", arc_to(drive * s, turned * s), s, 0, 1),
-            vacuum(end, look="ghost"),
-            Cloud("approximation", shown, ROW, rows),
-            _ellipse(end, entries, HOLDS_95),
             Trail("ghost", (x, y), loop),
-            Label("uncertainty", (-0.6, -0.85), "95 %"),
-        ),
-        handles=(
-            Handle(
-                "end of the drive", end,
-                {drive: chord / sp.sinc(direction), turned: 2 * direction},
-            ),
+            Cloud("approximation", shown, ROW, rows),
+            *_ellipse(end, entries),
         ),
         readouts=(
-            Readout("long_axis", "half the length", long_axis, "m"),
-            Readout("short_axis", "half the width", short_axis, "m"),
+            Readout("long_axis", "long half axis", long_axis, "m"),
+            Readout("short_axis", "short half axis", short_axis, "m"),
             Readout("heading", "heading error", sp.sqrt(tt), "rad"),
         ),
         sentence=(
             "A drive of {drive} that turns by {turned}, with wheels that err by {wheel_error} over "
-            "1 m: of 100 robots 95 end in an ellipse of half-axes {long_axis} and {short_axis}; "
-            "the heading errs by {heading}. {count} drives are shown."
+            "1 m. The ellipse, of half axes {long_axis} and {short_axis}, would hold 95 of 100 "
+            "ends if the cloud did not bend. The heading errs by {heading}. {count} drives shown."
         ),
     )  # fmt: skip
 
@@ -940,7 +939,7 @@ def square_figure() -> Figure:
     return Figure(
         name="square-path",
         title="Square drives to the left and to the right of a robot that believes it is right",
-        view=(-0.95, 2.15, -1.2, 1.2),
+        view=(-1.0, 2.2, -1.3, 1.18),
         ground="tiles",
         size="laboratory",
         controls=(
@@ -950,8 +949,10 @@ def square_figure() -> Figure:
         shapes=(
             vacuum(AT_ORIGIN, look="ghost"),
             *shapes,
-            Label("right", (SIDE / 2, -0.88 * SIDE), "clockwise"),
-            Label("left", (SIDE / 2, 0.88 * SIDE), "counter-clockwise"),
+            Label("turning", (SIDE, SIDE), "α"),
+            Label("turning", (SIDE / 2, 0), "β"),
+            Label("right", (SIDE / 2, -0.7 * SIDE), "clockwise"),
+            Label("left", (SIDE / 2, 0.6 * SIDE), "counter-clockwise"),
         ),
         where=(
             *ends.items(),
@@ -963,7 +964,7 @@ def square_figure() -> Figure:
             Readout(odometry.y_cw, "cw end, y"),
             Readout(odometry.x_ccw, "ccw end, x"),
             Readout(odometry.y_ccw, "ccw end, y"),
-            Readout(odometry.short_turn, "a corner is short by α"),
+            Readout(odometry.short_turn, "a corner turns too little by α"),
             Readout(odometry.side_swing, "a side swings by β"),
         ),
         sentence=(
@@ -1014,8 +1015,8 @@ def counter_figure() -> Figure:
         view=(-0.9, 0.9, -0.56, 0.56),
         ground="wall",
         controls=(
-            Slider(count_before, 0, NUMBERS - 1, start=10000, step=1, label="reading c"),
-            Slider(count_now, 0, NUMBERS - 1, start=30000, step=1, label="reading c′, later"),
+            Slider(count_before, 0, NUMBERS - 1, start=60000, step=1, label="reading c"),
+            Slider(count_now, 0, NUMBERS - 1, start=5000, step=1, label="reading c′, later"),
         ),
         where=(
             (counter_span, sp.Integer(NUMBERS)),
@@ -1046,14 +1047,14 @@ def counter_figure() -> Figure:
             Readout("naive", "naive difference", jump, "ticks", 0),
         ),
         goal=Goal(
-            And(odometry.dN > 0, jump < -40000),
-            "Find two readings with a positive step whose naive difference is below −40,000.",
+            And(odometry.dN < 0, jump > 40000),
+            "Find two readings with a step back whose naive difference is above 40,000.",
         ),
         grid=False,
     )
 
 
-ICE_AT, ICE_LENGTH, ICE_NOISE = 0.2, 1.96, 0.008**2  # m: where, of the drive; m
+ICE_AT, ICE_LENGTH = 0.2, 1.96  # m: where, of the drive
 
 
 def ice_figure() -> Figure:
@@ -1061,12 +1062,10 @@ def ice_figure() -> Figure:
     hinge, end = (ICE_AT, HALF), (ICE_LENGTH, 0, 0)
     angle = slip / BASE
     told, along = swung(end, hinge, angle), swung((s, 0, 0), hinge, angle)
-    spread = odometry.straight_spread.substitute({noise: ICE_NOISE, drive: ICE_LENGTH, b: BASE})
-    sigma = float(spread[1]), sqrt(ICE_NOISE * ICE_LENGTH / 2)
-    around = (
-        told[0] + HOLDS_95 * (sigma[1] * cos(s) * cos(angle) - sigma[0] * sin(s) * sin(angle)),
-        told[1] + HOLDS_95 * (sigma[1] * cos(s) * sin(angle) + sigma[0] * sin(s) * cos(angle)),
-    )
+    spread = odometry.straight_spread.substitute({noise: K, drive: ICE_LENGTH, b: BASE})
+    across, along_it = float(spread[1]), sqrt(K * ICE_LENGTH / 2)
+    turn = sp.Matrix([[cos(angle), -sin(angle)], [sin(angle), cos(angle)]])
+    xx, xy, _, yy = turn * sp.diag(along_it**2, across**2) * turn.T
     return Figure(
         name="ice",
         title="A robot that drives straight over ice, and its odometry, which swings away",
@@ -1080,17 +1079,17 @@ def ice_figure() -> Figure:
             vacuum(AT_ORIGIN, look="ghost"),
             Line("path", (ORIGIN, end)),
             Curve("error", along, s, ICE_AT, ICE_LENGTH),
-            Curve("uncertainty", around, s, 0, 2 * pi),
             vacuum(end),
             vacuum(told, look="wrong"),
+            *_ellipse(told, (xx, xy, yy)),
         ),
         readouts=(
             Readout(swing, "odometry turned by δ"),
             Readout("aside", "odometry's y", told[1], "m"),
-            Readout("many", "that is so many σ", told[1] / sigma[0], ""),
+            Readout("many", "that is so many σ", told[1] / across, "", 1),
         ),
         goal=Goal(
-            Abs(Abs(told[1]) - 3 * sigma[0]) < 0.01,
+            Abs(Abs(told[1]) - 3 * across) < 0.01,
             "Find the slip that puts the odometry 3 σ beside the robot: within 1 cm.",
         ),
     )
@@ -1121,13 +1120,13 @@ def half_seen_figure() -> Figure:
 
 # --- Laboratory
 
-LAB_NOISE, LAB_STEPS, LAB_SLIP = 1e-4, 12, 0.06  # m; pieces; m
+LAB_STEPS, LAB_SLIP = 12, 0.06  # pieces; m
 LAB_DOCK = (0.92, 0.5)
 
 
 def lab_loop() -> Recurrence:
     """Return the covariance after the drive of the laboratory."""
-    return covariance_loop(LAB_STEPS, LAB_STEPS, LAB_NOISE, set_off, "lab")
+    return covariance_loop(LAB_STEPS, LAB_STEPS, K, set_off, "lab")
 
 
 def lab_figure() -> Figure:
@@ -1145,7 +1144,8 @@ def lab_figure() -> Figure:
     return Figure(
         name="odometry-lab",
         title="The room with its dock, a drive under the hand, its ellipse, a wheel that may slip",
-        view=(-1.5, 2.3, -1.25, 1.25),
+        view=(-0.9, 2.0, -0.95, 0.95),
+        follow=told[:2],
         ground="tiles",
         size="laboratory",
         controls=(
@@ -1165,9 +1165,9 @@ def lab_figure() -> Figure:
                 Curve("error", real_along, s, 0.2 / drive, 1),
                 Point("icr", hinge, ""),
             ),
-            vacuum(told, look="ghost"),
             vacuum(real),
-            _ellipse(told, loop_entries(loop), 1),
+            vacuum(told, look="ghost"),
+            *_ellipse(told, loop_entries(loop)),
             Label("target", (1.45, 0.8), "dock"),
         ),
         handles=(
@@ -1180,14 +1180,14 @@ def lab_figure() -> Figure:
             ),
         ),
         readouts=(
-            Readout("lab_long", "long half axis, 1 σ", long_axis, "cm", 1),
-            Readout("lab_short", "short half axis, 1 σ", short_axis, "cm", 1),
-            Readout("to_dock", "the robot to the dock", distance(real, LAB_DOCK), "cm", 0),
+            Readout("lab_long", "long half axis", long_axis, "cm", 1),
+            Readout("lab_short", "short half axis", short_axis, "cm", 1),
+            Readout("to_dock", "the robot to the dock", distance(real, LAB_DOCK), "cm", 1),
         ),
         goal=(
             Goal(
-                And(there, long_axis < 0.05),
-                "Reach the dock, within 5 cm, with the long half axis below 5 cm.",
+                And(there, long_axis < 0.12),
+                "Reach the dock, within 5 cm, with the long half axis below 12 cm.",
             ),
             Goal(
                 And(drive > 2.495, short_axis > long_axis / 2),
@@ -1195,7 +1195,7 @@ def lab_figure() -> Figure:
             ),
             Goal(
                 And(there, slip > 0.055),
-                "Drive home, within 5 cm, with a right wheel that slips by 6 cm.",
+                "Reach the dock, within 5 cm, with a right wheel that slips by 6 cm.",
             ),
         ),
     )  # fmt: skip
@@ -1248,7 +1248,7 @@ def secret_figure() -> Figure:
                     ("left", 1, _place_words("ccw", mean_of(ccw))),
                 )
             ),
-            *when(right, Label("target", (0.3, -0.29), "both squares close")),
+            *when(right, Label("target", (0.3, -0.29), "found")),
         ),
         goal=Goal(
             right,
@@ -1350,7 +1350,8 @@ def letters_figure() -> Figure:
     hinge = tuple(map(float, point_of(S_MIDDLE, 0, HALF)))
     end = tuple(map(float, swung(S_END, hinge, angle)))
     looks = float(np.arctan2(S_END[1] - hinge[1], S_END[0] - hinge[0]))
-    places = ((1.32, 0.4), (2.0, 0.85), (0.95, 0.66))
+    sector = tuple(map(float, point_of((*hinge, looks + angle / 2), 0.64)))
+    places = ((1.32, 0.4), (S_END[0] + 0.12, S_END[1] + 0.22), sector)
     answers = dict(zip(("ℓ", "εℓ/b", "ε/b"), places, strict=True))
     letters = put_back(quantity, ("b", "ℓ", "ε/b", "εℓ/b"), answers)
     return Figure(

@@ -27,12 +27,12 @@ counter_span = quantity(
 )
 
 noise = quantity("noise", "m", 0, 0.01, "variance of a wheel's travel per metre", "k", "k")
-p_xx = quantity("p_xx", "m²", 0, 0.1, "variance of x", latex="p_{xx}")
-p_xy = quantity("p_xy", "m²", -0.1, 0.1, "covariance of x and y", latex="p_{xy}")
-p_xt = quantity("p_xt", "m rad", -0.1, 0.1, "covariance of x and heading", latex=r"p_{x\theta}")
-p_yy = quantity("p_yy", "m²", 0, 0.1, "variance of y", latex="p_{yy}")
-p_yt = quantity("p_yt", "m rad", -0.1, 0.1, "covariance of y and heading", latex=r"p_{y\theta}")
-p_tt = quantity("p_tt", "rad²", 0, 0.1, "variance of the heading", latex=r"p_{\theta\theta}")
+p_xx = quantity("p_xx", "m²", 0, 0.1, "variance of x", latex=r"\Sigma_{xx}")
+p_xy = quantity("p_xy", "m²", -0.1, 0.1, "covariance of x and y", latex=r"\Sigma_{xy}")
+p_xt = quantity("p_xt", "m rad", -0.1, 0.1, "covariance of x and θ", latex=r"\Sigma_{x\theta}")
+p_yy = quantity("p_yy", "m²", 0, 0.1, "variance of y", latex=r"\Sigma_{yy}")
+p_yt = quantity("p_yt", "m rad", -0.1, 0.1, "covariance of y and θ", latex=r"\Sigma_{y\theta}")
+p_tt = quantity("p_tt", "rad²", 0, 0.1, "variance of θ", latex=r"\Sigma_{\theta\theta}")
 
 side = quantity("side", "m", 1, 5, "side of the square in a calibration", latex="L")
 x_cw = quantity("x_cw", "m", -0.4, 0.4, "where clockwise runs end, x", latex=r"x_\mathrm{cw}")
@@ -44,7 +44,7 @@ y_ccw = quantity(
     "y_ccw", "m", -0.4, 0.4, "where counter-clockwise runs end, y", latex=r"y_\mathrm{ccw}"
 )
 short_turn = quantity(
-    "short_turn", "rad", -0.2, 0.2, "angle by which a corner is too short", latex=r"\alpha"
+    "short_turn", "rad", -0.2, 0.2, "angle by which a corner turns too little", latex=r"\alpha"
 )
 side_swing = quantity(
     "side_swing", "rad", -0.2, 0.2, "angle by which a side swings to the left", latex=r"\beta"
@@ -117,6 +117,15 @@ p_next = tuple(
         entry.unit,
     )
     for entry in covariance_entries
+)
+p_piece = tuple(
+    symbol(
+        f"{entry}_piece",
+        f"what a piece of the drive adds to the {entry.meaning}",
+        rf"\Delta{entry.latex}",
+        entry.unit,
+    )
+    for entry in (p_xx, p_xy, p_yy)
 )
 
 
@@ -238,15 +247,14 @@ with as_written():
     sides = ((lever_L, -1), (lever_R, 1))
     lever_term = Equation(
         name="odometry.lever_term",
-        left=Matrix([p_next[0], p_next[1], p_next[3]]),
+        left=Matrix(p_piece),
         right=Matrix(
             [
-                p_xx + noise / b**2 * (Abs(D_R) * lever_L[1] ** 2 + Abs(D_L) * lever_R[1] ** 2),
-                p_xy
-                - noise
+                noise / b**2 * (Abs(D_R) * lever_L[1] ** 2 + Abs(D_L) * lever_R[1] ** 2),
+                -noise
                 / b**2
                 * (Abs(D_R) * lever_L[0] * lever_L[1] + Abs(D_L) * lever_R[0] * lever_R[1]),
-                p_yy + noise / b**2 * (Abs(D_R) * lever_L[0] ** 2 + Abs(D_L) * lever_R[0] ** 2),
+                noise / b**2 * (Abs(D_R) * lever_L[0] ** 2 + Abs(D_L) * lever_R[0] ** 2),
             ]
         ),
         where=tuple(

@@ -12,7 +12,7 @@ from robokin import motion, odometry
 
 ROBOT = (512, 0.05, 0.20)  # ticks in a turn, radius and distance of the wheels, m: the exercise's
 TICKS = (384, 640)  # of its sample, left and right
-NOISE = 0.008**2  # m, of a wheel, for each metre
+NOISE = 1e-4  # m, of a wheel, for each metre
 ENCODER = {C: ROBOT[0], r: Float("0.05"), N_L: TICKS[0], N_R: TICKS[1]}
 
 
@@ -98,7 +98,7 @@ PREDICTIONS = (
             "cm",
             right=rolled(),
             assumptions={
-                "That takes the radius for the way of a turn: 2π is missing.": rolled()
+                "That takes the radius for the distance of a turn: 2π is missing.": rolled()
                 / (2 * np.pi),
                 "That takes the diameter for the radius.": rolled(2),
                 "That is a whole turn.": rolled() * ROBOT[0] / TICKS[0],
@@ -109,8 +109,8 @@ PREDICTIONS = (
     ),
     Prediction(
         "how-much-turned",
-        "The left wheel rolls 23.6 cm, the right one 39.3 cm; they are 20 cm apart. By how much "
-        "does the robot turn?",
+        "The wheels of the exercise roll as far as you computed in step 1; they are 20 cm apart. "
+        "By how much does the robot turn?",
         Buttons(
             ("23°", "45°", "90°"),
             right=lambda: f"{np.degrees(odometry.path(*TICKS, *ROBOT)[-1, 2]):.0f}°",
@@ -125,13 +125,13 @@ PREDICTIONS = (
     ),
     Prediction(
         "where-is-it",
-        "The exercise's robot has turned by 45° while P moved by 31.4 cm. Drag *your guess* to "
+        "The exercise's robot turns and moves as you computed in step 2. Drag *your guess* to "
         "where P is then.",
         Ghost(
             "rule-guess",
             places=(guess_x, guess_y),
             right=lambda: place("exact"),
-            then={t: Float(1)},
+            then={t: Float(0.5)},
             tolerance=0.015,
             assumptions={
                 "That is straight on, as if it turned only at the end.": lambda: place("start"),
@@ -176,8 +176,8 @@ PREDICTIONS = (
     ),
     Prediction(
         "twice-as-far",
-        "The robot drives straight on, twice as far. How many times as wide is the cloud then, "
-        "measured across the drive?",
+        "The robot drives 2 m straight on, in place of 1 m. How many times as wide is the cloud "
+        "then, measured across the drive?",
         Buttons(
             ("1.4 times", "2 times", "2.8 times"),
             right=lambda: f"{longer():.1f} times",
@@ -194,18 +194,18 @@ PREDICTIONS = (
     ),
     Prediction(
         "two-errors",
-        "Every corner is too short, or every side swings to the left. Which of the two turns both "
-        "squares the same way?",
+        "Every corner turns too little, or every side swings to the left. Which of the two turns "
+        "both squares the same way?",
         Buttons(
-            ("short corners", "swinging sides"),
+            ("corners", "swinging sides"),
             right="swinging sides",
             assumptions={
-                "short corners": "Such a robot turns too little to the left in one square and too "
+                "corners": "Such a robot turns too little to the left in one square and too "
                 "little to the right in the other: the two are mirrored.",
             },
         ),
-        explanation="Swinging sides turn to the left in both squares. Short corners mirror them: "
-        "too little to the left in one, too little to the right in the other.",
+        explanation="Swinging sides turn to the left in both squares. Corners are mirrored: too "
+        "little to the left in one, too little to the right in the other.",
         spoilers=("to the left in both",),
         covers="square-path",
     ),

@@ -97,8 +97,8 @@ def calibrate(end_cw, end_ccw, side, b):
     ...
 '''
 SQUARES_HINTS = (
-    "Two angles come first: by α each corner is too short, by β each side swings to the left. The "
-    "sum and the difference of the ends separate them.",
+    "Two angles come first: by α each corner turns too little, by β each side swings to the left. "
+    "The sum and the difference of the ends separate them.",
     "Both angles have 8 L below. Above, α has y_ccw − x_ccw − x_cw − y_cw, and β has x_ccw − y_ccw "
     "− x_cw − y_cw.",
     "The wheel distance is π b/(π − 2α). With this new one, not with b, the bulge is b_true "
@@ -107,7 +107,7 @@ SQUARES_HINTS = (
 SQUARES_SOLUTION = """\
 def calibrate(end_cw, end_ccw, side, b):
     (x_cw, y_cw), (x_ccw, y_ccw) = end_cw, end_ccw
-    alpha = (y_ccw - x_ccw - x_cw - y_cw) / (8 * side)  # a corner is too short
+    alpha = (y_ccw - x_ccw - x_cw - y_cw) / (8 * side)  # a corner turns too little
     beta = (x_ccw - y_ccw - x_cw - y_cw) / (8 * side)  # a side swings
     b_true = np.pi * b / (np.pi - 2 * alpha)
     bulge = b_true * np.sin(beta / 2)

@@ -238,13 +238,13 @@ def light_gate(place: Any, radius: float = 0.05, slots: int = 24) -> Sprite:
 
 
 def counter(place: Any, long: float = 0.06, wide: float = 0.024) -> Sprite:
-    """Return a box with a dark display; its number is a label of the figure."""
+    """Return a box with a pale display; its number is a label of the figure."""
     return Sprite(
         place,
         (
             Outline(box(long, wide, corner=0.15 * wide), "dark", "rim"),
             Outline(
-                box(0.86 * long, 0.66 * wide, corner=0.06 * wide), "well", "groove", 0.02 * wide
+                box(0.86 * long, 0.72 * wide, corner=0.06 * wide), "shell", "groove", 0.02 * wide
             ),
         ),
         height=0.2 * wide,

@@ -114,6 +114,7 @@ class Readout:
         digits: after the point, by default 1 of an angle and 3 of all else; -2 means two digits
             and a power of ten.
         words: the text to show instead of "inf", "-inf" or "nan".
+        symbol: the quantity or the kind whose look it has.
     """
 
     name: Any
@@ -122,7 +123,7 @@ class Readout:
     unit: str = ""
     digits: int | None = None
     words: Mapping[str, str] = field(default_factory=dict)
-    symbol: NamedSymbol | None = None
+    symbol: Kind = None
 
     def __post_init__(self) -> None:
         if isinstance(symbol := self.name, NamedSymbol):

@@ -72,10 +72,8 @@ def _serialize_hint(exercise: Exercise) -> dict[str, Any]:
     }
     steps = exercise.solution.steps.values()
     used = dict.fromkeys(s.formula for s in steps if isinstance(s.formula, Equation))
-    return {
-        "chapter": course().title(exercise.topic),
-        "formulas": [[left_side(formula), anchors.get(formula.name, "")] for formula in used],
-    }
+    given = {left_side(formula): anchors.get(formula.name, "") for formula in used}
+    return {"chapter": course().title(exercise.topic), "formulas": list(given.items())}
 
 
 def left_side(formula: Equation) -> str:

@@ -11,8 +11,8 @@ A_METRE = TICKS * FINER / (2 * np.pi * RADIUS)  # ticks
 DEGREE = np.pi / 180
 
 
-def dark_readouts(v_left, v_right, time, dock_x, dock_y, dock_heading, part):
-    """Return both counters, and how far the robot really is beside its belief, at the dock."""
+def dark_readouts(v_left, v_right, time, near, dock_x, dock_y, dock_heading, part):
+    """Return both counters, the belief to the dock, and the robot to its belief, at the dock."""
     told = np.stack([v_left, v_right], axis=-1) * time[:, None]
     pieces = np.repeat(told[:, None] / 16, 16, axis=1)
     numbers = TABLE[17:20].swapaxes(0, 1).reshape(2, 18)[:, :16].T
@@ -25,12 +25,12 @@ def dark_readouts(v_left, v_right, time, dock_x, dock_y, dock_heading, part):
     gap = np.linalg.norm(ends[1] - ends[0], axis=-1)
     away = np.hypot(ends[0][:, 0] - dock_x, ends[0][:, 1] - dock_y)
     counted = told * TICKS / (2 * np.pi * RADIUS)
-    lit = np.where(away < 0.05, gap, np.nan)
-    return {"N_L": counted[:, 0], "N_R": counted[:, 1], "gap": lit}
+    lit = np.where(away < near, gap, np.nan)
+    return {"left": counted[:, 0], "right": counted[:, 1], "away": away, "gap": lit}
 
 
 def tick_readouts(way):
-    return {"N_R": np.floor(way * 12 / (2 * np.pi * RADIUS) + 7 / 8)}
+    return {"counted": np.floor(way * 12 / (2 * np.pi * RADIUS) + 7 / 8)}
 
 
 def bent_readouts(turned, bend):
@@ -75,7 +75,7 @@ def ten_readouts(count):
         ways = np.array([0.2 - 0.2 * s * 1.4 * BASE / 2 for s in (1, -1)])
         ways = ways if k < 5 else ways[::-1]
         tiny = np.rint(ways * 2.0**50)[:, None]
-        piece = odometry.covariance(*tiny, 2.0**90, 0.5 / np.pi, BASE, 3e-4 * 2.0**40, pose)[-1]
+        piece = odometry.covariance(*tiny, 2.0**90, 0.5 / np.pi, BASE, 1e-4 * 2.0**40, pose)[-1]
         away = end[:2] - pose[:2]
         lever = np.array([[1, 0, -away[1]], [0, 1, away[0]], [0, 0, 1]])
         total = total + lever @ piece @ lever.T
@@ -99,7 +99,7 @@ def rules_readouts(count, turned):
 
 
 def ellipse_readouts(wheel_error, drive, turned, _):
-    """Return half the 95 % ellipse, length and width, and the standard deviation of the heading."""
+    """Return the half axes of the 95 % ellipse, and the standard deviation of the heading."""
     half = BASE * turned / 2
     left, right = (np.rint((drive + s * half) / 6 * A_METRE) for s in (-1, 1))
     ticks = [np.repeat(wheel[:, None], 6, axis=1) for wheel in (left, right)]
@@ -140,7 +140,7 @@ def ice_readouts(slip):
     left = np.stack([np.full_like(slip, ticks[0]), 0 * slip, np.full_like(slip, ticks[1])], axis=-1)
     right = left + np.stack([0 * slip, slips, 0 * slip], axis=-1)
     aside = odometry.path(left, right, *ROBOT)[:, -1, 1]
-    spread = np.sqrt(2 * 0.008**2 * 1.96**3 / 3) / BASE
+    spread = np.sqrt(2 * 1e-4 * 1.96**3 / 3) / BASE
     return {"aside": aside, "many": aside / spread}
 
 
@@ -151,7 +151,7 @@ def lab_readouts(heading, drive, turned, slip):
     ticks = [np.rint((drive + s * half) / 12 * A_METRE)[:, None] for s in (-1, 1)]
     ticks = [np.repeat(each, 12, axis=1) for each in ticks]
     last = odometry.covariance(*ticks, *ROBOT, 1e-4, pose)[:, -1, :2, :2]
-    short, long = np.sqrt(np.linalg.eigvalsh(last)).T
+    short, long = np.sqrt(-2 * np.log(0.05) * np.linalg.eigvalsh(last)).T
     place = motion.arc_step(pose, 0.2, 0.2 / drive * turned, 1.0)
     # the left wheel stands still, the right one rolls back what was counted too much
     place = motion.arc_step(place, -slip / 2, -slip / BASE, 1.0)
@@ -234,7 +234,7 @@ READOUTS = {
 }
 SHORT, LONG = {"v_L": 0.12, "v_R": 0.16}, {"v_L": 0.085, "v_R": 0.145}
 SPECIALS = {
-    "dark-room": [SHORT, {"way_home": "long", **LONG}],
+    "dark-room": [SHORT, {"drive_home": "long", **LONG}],
     "four-rules": [{"turned": 2 * np.pi}, {"turned": 2 * np.pi, "samples": 3}, {"samples": 32}],
     "error-ellipse": [
         {"turned": 2 * np.pi},
@@ -336,7 +336,7 @@ PREDICTED = {  # prediction → what is right; where numbers are typed, the wron
 GOALS = {  # figure → for each goal: settings that just reach it, and that just miss it
     "dark-room": [
         ([SHORT], [{**SHORT, "v_R": 0.17}, LONG]),
-        ([{"way_home": "long", **LONG}], [{"way_home": "long", **SHORT}]),
+        ([{"drive_home": "long", **LONG}], [{"drive_home": "long", **SHORT}]),
     ],
     "tick": [([{"way": 0.161}, {"way": 0.186}], [{"way": 0.16}, {"way": 0.187}])],
     "strips": [
@@ -368,14 +368,14 @@ GOALS = {  # figure → for each goal: settings that just reach it, and that jus
     ],
     "counter-clock": [
         (
-            [{"count_before": 60000, "count_now": 5000}],
+            [{"count_before": 5000, "count_now": 60000}],
             [
-                {"count_before": 50000, "count_now": 20000},
-                {"count_before": 5000, "count_now": 60000},
+                {"count_before": 20000, "count_now": 50000},
+                {"count_before": 60000, "count_now": 5000},
             ],
         )
     ],
-    "ice": [([{"slip": 0.03}, {"slip": -0.03}], [{"slip": 0.028}, {"slip": 0.032}])],
+    "ice": [([{"slip": 0.038}, {"slip": -0.038}], [{"slip": 0.036}, {"slip": 0.04}])],
     "half-seen": [
         ([{"set_off": 150 * DEGREE}], [{"set_off": 145 * DEGREE}, {"set_off": -30 * DEGREE}])
     ],

@@ -173,8 +173,11 @@ def circle(kind: Any, at: Sequence[Any], radius: Any) -> Curve:
 
 
 def weight(at: Sequence[Any], rate: Any, kind: Any = None) -> tuple[Any, ...]:
-    """Return a joint's rate as a weight: a disc whose area is its size, a ring if negative."""
-    radius, kind = SIZE * sqrt(Abs(rate)), kind or rate
+    """Return a joint's rate as a weight: a disc whose area is its size, a ring if negative.
+
+    From 4 rad/s on it grows no more: it would cover the arm.
+    """
+    radius, kind = SIZE * sqrt(Min(Abs(rate), 4)), kind or rate
     rim = tuple(
         (at[0] + radius * cos(k * pi / 12), at[1] + radius * sin(k * pi / 12)) for k in range(24)
     )
@@ -943,7 +946,7 @@ def joints_figure() -> Figure:
         goal=(
             Goal(
                 And(alone, Abs(y - arm.y_2) < 0.02, x > arm.x_2 + 0.05),
-                "Let joint 2 alone turn, and move P straight up: level with P within 2 cm.",
+                "Let joint 2 alone turn, and move P straight up: joint 2 as high as P, within 2 cm.",
             ),
             Goal(
                 And(distance(CENTRE, MARK) < 0.02, Abs(phi_dot) > 0.1),
@@ -1121,7 +1124,7 @@ def four_links_figure() -> Figure:
 
 def letters_figure() -> Figure:
     """Draw the chapter's picture at rest, with two letters that are to be put back."""
-    answers = {"ICR": (x_c + 0.02, y_c - 0.07), "½ det J": (0.25, 0.36)}
+    answers = {"ICR": (x_c - 0.1, y_c + 0.06), "½ det J": (0.275, 0.36)}
     letters = put_back(quantity, ("ICR", "½ det J", "w", "φ̇"), answers)
     return SCENE.figure(
         "weight-letters",

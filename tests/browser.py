@@ -75,7 +75,9 @@ def listed():
 def pages(site):
     """Return every page of the site, as names relative to it; redirects are not pages."""
     names = sorted(file.relative_to(site).as_posix() for file in site.rglob("*.html"))
-    return [name for name in names if not name.startswith(("_static/", "_sources/", "lite/"))]
+    return [
+        name for name in names if not name.startswith(("_static/", "_sources/", "lite/", "slides/"))
+    ]
 
 
 @pytest.fixture(scope="session")

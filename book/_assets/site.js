@@ -113,6 +113,6 @@ for (const which of ["primary", "secondary"]) {
 // From disk: JupyterLite needs a server and is not there.
 if (location.protocol === "file:") {
   const menu = document.querySelector(".dropdown-run-buttons");
-  menu?.querySelectorAll("a[href^='../']").forEach((link) => link.parentElement.remove());
+  menu?.querySelectorAll("a[href^='../lite/']").forEach((link) => link.parentElement.remove());
   if (menu && !menu.querySelector("a")) menu.remove();
 }

@@ -1,4 +1,4 @@
-"""A menu *Run* on the page of a chapter, with links to the places where its notebook runs.
+"""A menu *Run* on the page of a chapter: links to places where its notebook runs, and its slides.
 
 Two settings in `_config.yml` add places: the `url` of the public repository, and `site_hub`, the
 address of a JupyterHub.
@@ -27,6 +27,8 @@ def list_places(app, page):
         path, place = repository.path.strip("/"), quote(f"lab/tree/{notebook}", safe="")
         binder = f"https://mybinder.org/v2/gh/{path}/{quote(branch, safe='')}?urlpath={place}"
         found["Binder"] = (binder, "Free, no account; starts in minutes")
+    slides = f"{'../' * page.count('/')}slides/{page.partition('/')[0]}.html"
+    found["Slides"] = (slides, "Figures, questions and formulas for a lecture")
     return found
 
 

@@ -45,23 +45,24 @@ font-family="sans-serif" font-size="14" fill="#1f2933"><title>{{title}}</title>
 """
 
 
-def render_chapter(number, name, chosen, sentence):
+def render_chapter(place, name, chosen, sentence):
     """Return a chapter's picture, title and sentence in their place on the sheet."""
     figure = find_figure(name)
     picture = replace(figure, view=widen(figure.view)).render_svg(PICTURE, **chosen)
-    title = escape(course().title(course().find_chapter("figures", figure)))
-    left, top = 50 + (number - 1) % 2 * (PICTURE + 50), TOP + (number - 1) // 2 * ROW
+    chapter = course().find_chapter("figures", figure)
+    title = f"{course().taught.index(chapter)} {escape(course().title(chapter))}"
+    left, top = 50 + place % 2 * (PICTURE + 50), TOP + place // 2 * ROW
     below = PICTURE / ASPECT + 22
     lines = enumerate(wrap(escape(sentence), LETTERS), 1)
     words = "".join(f'<text y="{below + LINE * k:g}">{line}</text>' for k, line in lines)
-    head = f'<text y="{below:g}" font-size="18" font-weight="700">{number} {title}</text>'
+    head = f'<text y="{below:g}" font-size="18" font-weight="700">{title}</text>'
     return f'<g transform="translate({left} {top})">{inline_colors(picture)}{head}{words}</g>'
 
 
 def write_poster(app, error):
     """Write the poster into the site."""
     if not error and app.builder.name == "html":
-        recaps = enumerate(RECAPS.items(), 1)
+        recaps = enumerate(RECAPS.items())
         chapters = "\n".join(render_chapter(k, name, *recap) for k, (name, recap) in recaps)
         title = f"{escape(app.config.html_title)}: robot kinematics in eight pictures"
         sheet = SHEET.format(title=title, chapters=chapters)

@@ -1042,7 +1042,7 @@ def corner_figure() -> Figure:
         ground="asphalt",
         controls=(
             Slider(before, 0.0, 10.0, start=8.0, step=0.1, label="P turns before the corner, by"),
-            Slider.degrees(steering, 15, 45, start=30, label="steering φ"),
+            Slider.degrees(steering, 15, 45, start=38, label="steering φ"),
             Clock(parts, 0.0, 3.0, step=0.02, start=1.5, label="parts driven", rate=0.5),
         ),
         where=((wheelbase, LENGTH), (track, TRACK), *assign(bicycle.turning_radius),
@@ -1063,7 +1063,7 @@ def corner_figure() -> Figure:
             Readout("over", "outer front over the kerb by", Max(over, 0), "m", 2),
         ),
         goal=Goal(
-            And(cut < 0, over < 0), f"Go round the corner of two streets, each {STREET:.0f} m wide."
+            And(cut < 0, over < 0), f"Go round the corner of two streets, each {STREET:g} m wide."
         ),
     )  # fmt: skip
 

@@ -198,8 +198,8 @@ PREDICTIONS = (
     Prediction(
         "the-other-elbow",
         "The dot on the square is the arm: its $\\theta_2$ to the right, its $\\theta_3$ upwards. "
-        "Take the gripper away from the ball. Bring it back there with the elbow *down*, then press "
-        "*Here*. The dot draws a line behind it.",
+        "Take the gripper away from the ball. Bring it back there with the elbow *down*, and "
+        "press *Here*. The dot draws a line behind it.",
         Ghost(
             "four-countries",
             places=(theta2, theta3),

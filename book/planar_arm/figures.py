@@ -946,7 +946,7 @@ def joints_figure() -> Figure:
         goal=(
             Goal(
                 And(alone, Abs(y - arm.y_2) < 0.02, x > arm.x_2 + 0.05),
-                "Let joint 2 alone turn, and move P straight up: joint 2 as high as P, within 2 cm.",
+                "Let joint 2 alone turn, and move P straight up: both as high, within 2 cm.",
             ),
             Goal(
                 And(distance(CENTRE, MARK) < 0.02, Abs(phi_dot) > 0.1),

@@ -886,8 +886,8 @@ wheels_11 = Exercise(
     "wheels-11",
     title="Three numbers of a drawn robot",
     text="Draw these places on squared paper, x ahead and y to the left: A at (0, {y}), B at "
-    "(0, −{y}), C at ({x}, 0), D at (−{x}, 0), E at ({x}, {y}). A robot has {drawn}. The axles of "
-    "its fixed wheels are parallel to y; the steered wheels are turned so that it can always move. "
+    "(0, −{y}), C at ({x}, 0), D at (−{x}, 0), E at ({x}, {y}). A robot has {drawn}. The axle of "
+    "a fixed wheel is parallel to y; steered wheels are turned so that it can always move. "
     "What are its degrees of mobility δ_m, of steerability δ_s and of manoeuvrability δ_M?",
     given={
         "drawn": one_of(*DRAWN),

@@ -523,7 +523,7 @@ def rolling_figure() -> Figure:
         ),
         readouts=(Readout(from_push), Readout(rate)),
         goal=(
-            Goal(Abs(rate) < 0.06, "Let the wheel rest while the plate turns: below 0.06 rad/s."),
+            Goal(Abs(rate) < 0.06, "Let the wheel rest while the plate turns: within 0.06 rad/s."),
             Goal(Abs(rate + 2) < 0.06, "Let it roll backwards, at −2 rad/s: within 0.06."),
         ),
     )
@@ -872,7 +872,7 @@ def castor_figure() -> Figure:
         readouts=(Readout(swivel),),
         goal=Goal(
             And(Abs(swivel) < 0.12, beta < 0),
-            "Let it rest with its wheel behind the pivot: below 0.12 rad/s.",
+            "Stop its swivelling, with its wheel behind the pivot: within 0.12 rad/s.",
         ),
     )
 
@@ -932,7 +932,7 @@ def rollers_figure() -> Figure:
         readouts=(Readout(gamma, digits=0), Readout(from_push), Readout(rate)),
         goal=Goal(
             And(Abs(rate) < 0.06, Abs(gamma) > 0.1, distance(Q, HUB) > 0.12),
-            "A Mecanum wheel, and the plate turns: let the wheel rest, below 0.06 rad/s.",
+            "A Mecanum wheel, and the plate turns: let the wheel rest, within 0.06 rad/s.",
         ),
     )
 
@@ -1128,7 +1128,7 @@ def turned_figure() -> Figure:
         readouts=(Readout("det", "det J_1", wheels.determinant, "m", 3),),
         goal=Goal(
             Abs(wheels.determinant) < 0.004,
-            "Let the rates no longer tell the motion: det J₁ below 0.004 m.",
+            "Let the rates no longer tell the motion: det J₁ within 0.004 m of zero.",
         ),
     )
 
@@ -1410,7 +1410,7 @@ def laboratory_figure() -> Figure:
                     Abs(wish_omega) > 0.1,
                     Abs(twist[2] - wish_omega) < 0.01,
                 ),
-                "From nothing: a robot that turns on the spot, never goes sideways. Wish for both.",
+                "From *nothing yet*: what turns on the spot, never goes sideways. Wish for both.",
             ),
             Goal(
                 And(is_robot["differential drive"], delta_m < 1.5, delta_m > 0.5, delta_s > 0.5),
@@ -1570,7 +1570,7 @@ def summary_figure() -> Figure:
         ground="tiles",
         where=LAST,
         shapes=(
-            *both_lines(("times ω: slides", "times ω: rolls")),
+            *both_lines(("· ω: slides", "· ω: rolls")),
             Label("icr", (0.12, -0.12), "axle line"),
             Label("left", (0.32, 0.4), "push line"),
         ),

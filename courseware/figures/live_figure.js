@@ -127,11 +127,12 @@ export class LiveFigure {
     this.outputs.forEach((output) => writeText(output, shown(output.dataset.o)));
   }
 
-  // Passing over a goal does not reach it; once reached it stays so until a reset.
+  // Passing over a goal does not reach it; once reached it stays so until a reset, but for the frame.
   writeGoals() {
     const now = this.held || this.passing ? [] : this.figure.goals;
-    now.forEach(({ at }, k) => { if (this.computed.values[at] === 1) this.reached.add(k); });
-    this.element.classList.toggle("rk-reached", this.reached.size > 0);
+    const isMet = ({ at }) => this.computed.values[at] === 1;
+    now.forEach((goal, k) => { if (isMet(goal)) this.reached.add(k); });
+    this.element.classList.toggle("rk-reached", now.some(isMet));
     this.goals.forEach((goal, k) => {
       const done = this.reached.has(k);
       if (goal.classList.contains("rk-done") === done) return;

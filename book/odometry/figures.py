@@ -203,7 +203,7 @@ def tips() -> tuple[tuple[Any, ...], tuple[Handle, ...]]:
 
 def counter(symbol: Any, at: Any, long: float, number: str) -> tuple[Any, ...]:
     """Return a counter that shows a number, with its letter beside it."""
-    box, beside = things.counter((*at, 0), long, long / 2), (at[0] - 0.7 * long, at[1])
+    box, beside = things.counter((*at, 0), long, long / 2), (at[0] - 0.75 * long, at[1])
     return box, Label("text", at, number), Label(symbol, beside)
 
 

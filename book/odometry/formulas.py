@@ -251,9 +251,11 @@ with as_written():
         right=Matrix(
             [
                 noise / b**2 * (Abs(D_R) * lever_L[1] ** 2 + Abs(D_L) * lever_R[1] ** 2),
-                -noise
-                / b**2
-                * (Abs(D_R) * lever_L[0] * lever_L[1] + Abs(D_L) * lever_R[0] * lever_R[1]),
+                -(
+                    noise
+                    / b**2
+                    * (Abs(D_R) * lever_L[0] * lever_L[1] + Abs(D_L) * lever_R[0] * lever_R[1])
+                ),
                 noise / b**2 * (Abs(D_R) * lever_L[0] ** 2 + Abs(D_L) * lever_R[0] ** 2),
             ]
         ),

@@ -204,8 +204,7 @@ PREDICTIONS = (
                 "little to the right in the other: the two are mirrored.",
             },
         ),
-        explanation="Swinging sides turn to the left in both squares. Corners are mirrored: too "
-        "little to the left in one, too little to the right in the other.",
+        explanation="Swinging sides turn to the left in both squares. Corners are mirrored.",
         spoilers=("to the left in both",),
         covers="square-path",
     ),

@@ -51,8 +51,7 @@ unturned_shift = Mistake(
     "T_ce = back(T_bc) @ back(T_db) @ T_de",
     why="−p is the way back measured along the axes of the first frame. The inverse is seen from "
     "the second frame, so the way back must be turned as well: −Rᵀp.",
-    unnoticed="Where the frames are only shifted, not turned (R is the identity), or only turned, "
-    "not shifted.",
+    unnoticed="Where each of the two poses is only a shift (R is the identity), or only a turn.",
     title="Inverses by hand",
     picture=(
         "The object lies on the left. The hand's program believes it on the right of the platform."
@@ -539,6 +538,9 @@ frames_6 = Exercise(
         "along the camera's axes; asked are the platform's": from_above(
             lambda T_fb, p: p - T_fb[:3, 3]
         ),
+        "when z is still counted down, as the camera counts it": from_above(
+            lambda T_fb, p: frames.transform(frames.inverse(T_fb), p) * [1, 1, -1]
+        ),
     },
     solution=Solution(
         "With the heading θ, the columns of R_fb are the platform's axes as the camera sees them: "
@@ -705,9 +707,8 @@ frames_11 = Exercise(
     title="A picture with y down",
     text="A camera looks straight down. In its picture x goes to the right and y goes down, both "
     "already in metres on the floor. It sees a platform at x = {x_b}, y = {y_b}. The platform's "
-    "front points at {psi} from x towards y, so to the lower right of the picture for a small "
-    "angle. An object is at x = {x_e}, y = {y_e}. How far ahead of the platform is it, and how far "
-    "to its left?",
+    "front points at {psi} from x towards y (90° is down). An object is at x = {x_e}, y = {y_e}. "
+    "How far ahead of the platform is it, and how far to its left?",
     given={"x_b": PLACE, "y_b": PLACE, "psi": TURN, "x_e": PLACE, "y_e": PLACE},
     when=lambda x_b, y_b, x_e, y_e, **_: abs(x_e - x_b) > 0.3 and abs(y_e - y_b) > 0.3,
     unknowns=(Unknown("ahead", "m"), Unknown("to the left", "m")),

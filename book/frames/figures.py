@@ -91,6 +91,7 @@ Pose = Any  # [x, y, theta]
 
 LINKS = {l_1: 0.3, l_2: 0.4}  # m, as in the exercise
 JAWS = 0.2  # m: from the hand's frame, at the third joint, to between its fingers
+GRIP = 0.17  # m: there is the middle of a box that they hold
 PLATFORM, BENDS = (1.0, 0.5, pi / 2), (pi / 2, -pi / 2, -pi / 4)  # the exercise: T_db, the joints
 OBJECT = (1.5, 1.1, 3 * pi / 4)  # T_de
 CAMERA = (0, 0, 0)
@@ -139,17 +140,35 @@ def point_of(pose: Pose, forward: Any, left: Any = 0) -> tuple[Any, Any]:
 
 
 def axes(pose: Pose, name: str, long: Any = AXIS) -> tuple[Arrow, Arrow]:
-    """Return the x and y axis of a frame."""
+    """Return the x and y axis of a frame, without a name without letters."""
+    x, y = (f"{axis}_{name}" if name else "" for axis in "xy")
     return (
-        Arrow("x_axis", pose, point_of(pose, long), f"x_{name}"),
-        Arrow("y_axis", pose, point_of(pose, 0, long), f"y_{name}"),
+        Arrow("x_axis", pose, point_of(pose, long), x),
+        Arrow("y_axis", pose, point_of(pose, 0, long), y),
     )
+
+
+def lettered(pose: Pose, name: str, long: Any = AXIS) -> tuple[Any, ...]:
+    """Return the axes of a frame with its letter beside them, which stays there."""
+    return *axes(pose, "", long), Label("text", point_of(pose, -0.12, 0.12), name)
 
 
 def angle_to_pointer(pose: Pose) -> Any:
     """Return the pointer's direction as an angle of a frame."""
     there = seen_from(pose, (*POINTER, 0))
     return atan2(there[1], there[0])
+
+
+def nose(pose: Pose, far: float = 0.32) -> Handle:
+    """Return a handle ahead of the platform, which turns it."""
+    turn = angle_to_pointer((*pose[:2], 0))
+    return Handle("nose of the platform", point_of(pose, far), {db_turn: turn})
+
+
+def tip_of_hand(hand: Pose, link: Any) -> Handle:
+    """Return a handle ahead of the hand, which turns it against the direction of its link."""
+    turn = angle_to_pointer((*hand[:2], link))
+    return Handle("tip of the hand's x axis", point_of(hand, AXIS), {gamma: turn})
 
 
 def turned_apart(angle: Any, period: int = 1) -> Any:
@@ -169,7 +188,7 @@ BESIDE = PANE[1] - PANE[0] + 0.06  # m: so far to the right is the other picture
 OTHER = (PANE[0] + BESIDE, PANE[1] + BESIDE, *PANE[2:])
 MIDDLE = ((OTHER[0] + OTHER[1]) / 2, 0.6, pi / 2)  # there the hand rests, its x axis up
 BOTH = (PANE[0] - 0.01, OTHER[1] + 0.01, PANE[2] - 0.01, PANE[3] + 0.01)
-SHEET = (-0.2, 0.95, -0.6, 0.4)  # of tracing paper, in the hand's frame
+SHEET = (-0.2, 0.95, -0.8, 0.4)  # of tracing paper, in the hand's frame
 BOX = (0.13, 0.055)  # m, of the object: it fits between the fingers
 
 
@@ -201,28 +220,34 @@ def seen_at(frame: Pose, middle: Pose = MIDDLE) -> tuple[Any, Any, Any]:
     return (*point_of(middle, back[0], back[1]), middle[2] + back[2])
 
 
-def room_at(pose: Pose, pane: Sequence[float], *inside: Any, paper: Any = ()) -> tuple[Any, ...]:
-    """Return the room in one of the pictures, and what is in it."""
+def room_at(
+    pose: Pose, pane: Sequence[float], *inside: Any, paper: Any = (), below: Any = ()
+) -> tuple[Any, ...]:
+    """Return the room in one of the pictures, what is in it, and shapes below that."""
     left, right, low, high = pane
     rim = Outline(box(right - left, high - low, corner=0.03), "", "edge")
     shelf = things.shelf((0.35, ROOM[3], 0), 0.6, 0.14)
     return (
         Sprite(pose, (*things.tiled_room(ROOM), *paper), silhouette="", window=tuple(pane)),
+        *below,
         Sprite(pose, (shelf, *inside), 0.03, silhouette="", window=tuple(pane)),
         Sprite(((left + right) / 2, (low + high) / 2, 0), (rim,), silhouette=""),
     )
 
 
+def caption(pane: Sequence[float], words: str, up: float = 0.15) -> Label:
+    """Return the words in a picture, inside its wall."""
+    return Label("text", ((pane[0] + pane[1]) / 2 + 0.1, pane[2] + up), words)
+
+
 def two_views(hand: Pose, *inside: Any) -> tuple[Any, ...]:
     """Return the room as the camera sees it and as the hand sees it, with the hand's paper."""
-    paper = (things.tracing_paper(hand, SHEET),)
+    paper, inside = (things.tracing_paper(hand, SHEET),), (things.camera_above(CAMERA), *inside)
     return (
-        *room_at(CAMERA, PANE, *inside, paper=paper),
-        *room_at(seen_at(hand), OTHER, *inside, paper=paper),
-        *axes(hand, "c"),
-        *axes(MIDDLE, "c"),
-        Label("text", ((PANE[0] + PANE[1]) / 2, PANE[2] + 0.06), "the camera sees"),
-        Label("text", ((OTHER[0] + OTHER[1]) / 2, PANE[2] + 0.06), "the hand sees"),
+        *room_at(CAMERA, PANE, *inside, paper=paper, below=axes(hand, "c", 0.34)),
+        *room_at(seen_at(hand), OTHER, *inside, paper=paper, below=axes(MIDDLE, "c", 0.34)),
+        caption(PANE, "the camera sees"),
+        caption(OTHER, "the hand sees"),
     )
 
 
@@ -231,9 +256,16 @@ def parcel(pose: Pose, look: str = "") -> Sprite:
     return things.parcel(pose, *BOX, look=look)
 
 
+GRIPPED = Sprite(
+    (*point_of(MIDDLE, GRIP), MIDDLE[2]),
+    (Outline(box(*BOX), "goal", "goal_edge", opacity=0.5),),
+    silhouette="",
+)
+
+
 def is_gripped(ce: Pose) -> Any:
     """Return whether the object lies between the fingers, one way round or the other."""
-    near = distance(ce, (JAWS, 0)) < 0.03
+    near = And(Abs(ce[0] - GRIP) < 0.05, Abs(ce[1]) < 0.03)
     return And(near, turned_apart(ce[2], 2) < 15 * DEGREE)
 
 
@@ -252,23 +284,27 @@ def views_figure() -> Figure:
         ground="wall",
         size="laboratory",
         controls=(
-            Slider(db_x, 0.3, 1.4, start=1.0, step=0.02, label="platform, to the right"),
+            Slider(db_x, 0.3, 1.4, start=0.7, step=0.02, label="platform, to the right"),
             Slider(db_y, 0.2, 1.3, start=0.5, step=0.02, label="platform, up the page"),
-            Slider.degrees(alpha, -175, 175, start=90, step=5, label="first joint α"),
-            Slider.degrees(beta, -150, 150, start=-90, step=5, label="second joint β"),
+            Slider.degrees(alpha, -175, 175, start=50, step=5, label="first joint α"),
+            Slider.degrees(beta, -150, 150, start=-80, step=5, label="second joint β"),
         ),
         where=steps,
-        shapes=two_views(arm.hand, robot(platform, bends, closed), parcel(OBJECT)),
+        shapes=(*two_views(arm.hand, robot(platform, bends, closed), parcel(OBJECT)), GRIPPED),
         handles=(
             Handle("platform", platform[:2]),
             Handle("elbow", arm.elbow[:2], {alpha: angle_to_pointer(platform)}),
-            Handle(
-                "hand",
-                arm.hand[:2],
-                {beta: angle_to_pointer(arm.elbow)},
-            ),
+            Handle("hand", arm.hand[:2], {beta: angle_to_pointer(arm.elbow)}),
         ),
-        goal=Goal(gripped, "Bring the yellow box between the fingers: within 3 cm and 15°."),
+        readouts=(
+            Readout("off", "off by", distance(ce, (GRIP, 0)), "cm", 0),
+            Readout("turned", "turned off by", turned_apart(ce[2], 2), "rad", 0),
+        ),
+        goal=Goal(
+            gripped,
+            "Bring the yellow box onto the pale one between the fingers: within 5 cm along, 3 cm "
+            "across, 15°.",
+        ),
     )
 
 
@@ -287,7 +323,7 @@ def plan_figure() -> Figure:
             "A room from above: the camera's frame d in a corner, a platform b whose arm reaches "
             "to the left and then up to the hand c, an object e to the right of the hand"
         ),
-        view=(-0.2, 2.0, -0.17, 1.45),
+        view=(-0.2, 2.0, -0.36, 1.45),
         ground="tiles",
         where=(*given, *LINKS.items(), *steps),
         shapes=(
@@ -325,7 +361,7 @@ def tracing_figure() -> Figure:
         view=BOTH,
         ground="wall",
         controls=(
-            Slider.degrees(gamma, -120, 120, start=-45, step=5, label="third joint γ"),
+            Slider.degrees(gamma, -100, -15, start=-45, step=5, label="third joint γ"),
             Clock(lifted, 0.0, 1.0, step=0.02, rate=0.5, label="paper lifted"),
         ),
         where=(*steps, *zip(SEEN, ce, strict=True)),
@@ -335,15 +371,9 @@ def tracing_figure() -> Figure:
             paper,
             *axes(arm.hand, "c"),
             *when(lifted > 0.1, *axes(there, "c")),
-            *when(lifted >= 1, Label("text", point_of(MIDDLE, 0.85), "the hand’s map")),
+            caption(OTHER, "the hand sees"),
         ),
-        handles=(
-            Handle(
-                "tip of the hand's x axis",
-                point_of(arm.hand, AXIS),
-                {gamma: angle_to_pointer((*arm.hand[:2], PLATFORM[2]))},
-            ),
-        ),
+        handles=(tip_of_hand(arm.hand, PLATFORM[2]),),
         readouts=(Readout(SEEN[0]), Readout(SEEN[1])),
     )
 
@@ -366,20 +396,14 @@ def pose_figure() -> Figure:
         shapes=(
             things.camera_above(CAMERA),
             things.platform(T_db),
-            Arrow("path", CAMERA, T_db, "p"),
+            Arrow("path", CAMERA, T_db, ""),
+            Label("path", (0.45 * db_x, 0.45 * db_y), "p"),
             *axes(CAMERA, "d"),
             *axes(T_db, "b", 0.32),
             AngleArc(db_turn, T_db, 0, db_turn, 0.13),
             Bracket(matrix, (1.6, 0.5), "T_db", ("x_axis", "y_axis", "text"), 2),
         ),
-        handles=(
-            Handle(
-                "nose of the platform",
-                point_of(T_db, 0.32),
-                {db_turn: angle_to_pointer((*T_db[:2], 0))},
-            ),
-            Handle("platform", T_db),
-        ),
+        handles=(nose(T_db), Handle("platform", T_db)),
     )
 
 
@@ -389,7 +413,8 @@ LAMP = (0.2, 0.15)  # m: the left front corner of the platform, seen from b
 def lamp_figure() -> Figure:
     """Draw a frame, and a guess of where the camera sees a lamp of it: turned, then shifted."""
     now = (PLATFORM[0] * ramp(made, 1), PLATFORM[1] * ramp(made, 1), PLATFORM[2] * ramp(made, 0))
-    glow = Outline(disc(0.035), "lamp", "goal_edge")
+    ahead, there = point_of(PLATFORM, LAMP[0]), point_of(PLATFORM, *LAMP)
+    lit = point_of(now, *LAMP)
     return Figure(
         name="lamp",
         title="The camera's frame, the frame of the platform, and your guess of where its lamp is",
@@ -397,7 +422,7 @@ def lamp_figure() -> Figure:
         controls=(
             Slider(guess_x, 0.0, 1.8, start=0.4, step=0.05, label="x"),
             Slider(guess_y, 0.0, 1.2, start=1.0, step=0.05, label="y"),
-            Clock(made, 0.0, 2.0, step=0.02, rate=0.6, label="1 turned, 2 shifted"),
+            Clock(made, 0.0, 2.0, step=0.02, rate=0.6, label="turn, shift"),
         ),
         where=(
             (bp_x, LAMP[0]),
@@ -411,9 +436,15 @@ def lamp_figure() -> Figure:
             *when(
                 made > 0,
                 things.platform(now, look="ghost"),
-                Sprite((*point_of(now, *LAMP), 0), (glow,)),
+                things.lamplight((*lit, 0), 0.12),
+                Sprite((*lit, 0), (Outline(disc(0.03), "lamp", "goal_edge"),), 0.01),
             ),
-            *when(made <= 0, Label("text", (1.65, 0.45), "the platform’s frame")),
+            *when(
+                made >= 2,
+                Length("x_axis", PLATFORM, ahead, "0.2 m", -0.1),
+                Length("y_axis", ahead, there, "0.15 m", -0.12),
+            ),
+            *when(made <= 0, Label("text", (1.5, 0.45), "the frame b")),
             Point("target", (guess_x, guess_y), "your guess"),
         ),
         handles=(Handle("your guess", (guess_x, guess_y)),),
@@ -452,11 +483,7 @@ def bends_figure() -> Figure:
         ),
         handles=(
             Handle("elbow", arm.elbow[:2], {alpha: angle_to_pointer(here)}),
-            Handle(
-                "tip of the hand's x axis",
-                point_of(arm.hand, AXIS),
-                {gamma: angle_to_pointer((*arm.hand[:2], second))},
-            ),
+            tip_of_hand(arm.hand, second),
         ),
         readouts=(Readout(bc_x), Readout(bc_y), Readout(bc_turn)),
     )
@@ -557,7 +584,7 @@ def pole_figure() -> Figure:
 # The way back.
 
 SLANT = (*PLATFORM[:2], pi / 6)  # a platform that looks another way than in the exercise
-MAP = (-0.91, 0.91, -1.46, 0.5)  # the map of something that rests at the origin
+MAP = (-0.91, 0.91, -1.5, 0.5)  # the map of something that rests at the origin
 ASIDE = (-2.73, -1.26, 0)  # where the camera is in its own picture, which lies left of that map
 ITS_PANE = tuple(
     edge + off for edge, off in zip(PANE, (ASIDE[0],) * 2 + (ASIDE[1],) * 2, strict=True)
@@ -570,6 +597,7 @@ def back_figure() -> Figure:
     there = compose(ASIDE, SLANT)
     paper = [here + lifted * (end - here) for here, end in zip(there, UP, strict=True)]
     eye_seen = seen_from(SLANT, CAMERA)
+    camera = (*point_of(UP, *eye_seen[:2]), UP[2] + eye_seen[2])
     traced = Outline(box(0.16, 0.12, -0.08, 0, 0.03), "", "path", 0.012)
     sheet = (-1.3, 0.35, -0.4, 0.4)
     return Figure(
@@ -592,11 +620,13 @@ def back_figure() -> Figure:
                 ),
             ),
             things.platform(UP),
-            *axes(ASIDE, "d"),
+            *axes(ASIDE, ""),
+            Label("text", point_of(ASIDE, 0.13, 0.15), "d"),
             *axes(there, "b", 0.33),
             *axes(UP, "b", 0.33),
-            Label("text", (ASIDE[0] + 0.76, MAP[2] + 0.06), "the camera’s map"),
-            Label("text", (0.0, MAP[2] + 0.06), "the platform’s map"),
+            *when(lifted >= 1, things.camera_above(camera), *axes(camera, "d")),
+            caption(ITS_PANE, "the camera sees"),
+            caption(MAP, "the platform sees", 0.08),
             Point("target", (guess_right, guess_ahead), "your guess"),
         ),
         handles=(Handle("your guess", (guess_right, guess_ahead)),),
@@ -618,7 +648,7 @@ def home_figure() -> Figure:
     return Figure(
         name="turned-home",
         title="The platform's map: the camera, and the arrow −p, which does not lead there",
-        view=(-1.75, 1.75, -1.22, 1.2),
+        view=(-1.75, 1.75, -1.37, 1.2),
         ground="tiles",
         controls=(
             Slider.degrees(db_turn, -175, 175, start=30, step=5),
@@ -667,7 +697,9 @@ def home_figure() -> Figure:
 # Dominoes.
 
 NAMES = "bcde"
-SLOTS = tuple(symbols(f"x_{k} y_{k} turn_{k} from_{k} to_{k}", real=True) for k in (1, 2, 3))
+SLOTS = tuple(
+    symbols(f"x_{k} y_{k} turn_{k} from_{k} to_{k} bad_{k}", real=True) for k in (1, 2, 3)
+)
 HAND = tuple(
     float(number)
     for number in frames.hand_pose.substitute(
@@ -683,28 +715,34 @@ def tiles() -> dict[str, tuple[float, ...]]:
     found = {}
     for (a, b), pose in known.items():
         ends = NAMES.index(a), NAMES.index(b)
-        found[f"T_{a}{b}"] = (*pose, *ends)
-        found[f"T_{b}{a}"] = (*map(float, seen_from(pose, (0, 0, 0))), *ends[::-1])
+        found[f"T_{a}{b}"] = (*pose, *ends, 0)
+        found[f"T_{b}{a}"] = (*map(float, seen_from(pose, (0, 0, 0))), *ends[::-1], 0)
     for a, b in (("d", "b"), ("b", "c")):
         pose = known[a, b]
         bad = (-pose[0], -pose[1], -pose[2])
-        found[f"T_{b}{a} with −p"] = (*bad, NAMES.index(b), NAMES.index(a))
+        found[f"T_{b}{a} with −p"] = (*bad, NAMES.index(b), NAMES.index(a), 1)
     return found
 
 
 def tile(slot: Sequence[Any], at: tuple[float, float]) -> tuple[Any, ...]:
-    """Return a tile with its two letters at a place."""
-    card = (
-        Outline(box(0.4, 0.26, corner=0.03), "paper", "edge"),
-        Outline(line((0, -0.1), (0, 0.1)), "", "edge"),
+    """Return a tile with its two letters at a place, marked if it was flipped badly."""
+    edges = Outline(line((0, -0.11), (0, 0.11)), "", "edge")
+    good, bad = (
+        (Outline(box(0.52, 0.3, corner=0.03), "paper", edge, wide), edges)
+        for edge, wide in (("edge", 0), ("error", 0.02))
     )
     letters = [
         shape
-        for end, aside in ((slot[3], -0.1), (slot[4], 0.1))
+        for end, aside in ((slot[3], -0.13), (slot[4], 0.13))
         for k, letter in enumerate(NAMES)
         for shape in when(Abs(end - k) < 0.5, Label("text", (at[0] + aside, at[1]), letter))
     ]
-    return Sprite((*at, 0), card, silhouette=""), *letters
+    mark = when(
+        slot[5] > 0.5,
+        Sprite((*at, 0), bad, silhouette=""),
+        Label("text", (at[0], at[1] - 0.22), "with −p"),
+    )
+    return Sprite((*at, 0), good, silhouette=""), *mark, *letters
 
 
 def domino_figure() -> Figure:
@@ -713,46 +751,48 @@ def domino_figure() -> Figure:
     two = steps.add("two", compose(SLOTS[0][:3], SLOTS[1][:3]))
     laid = steps.add("laid", compose(two, SLOTS[2][:3]))
     ghost = steps.add("ghost", compose(IN_ROOM, laid))
-    places = [(1.95 + 0.44 * k, 0.7) for k in range(3)]
+    places = [(0.1 + 0.66 * k, 1.72) for k in range(3)]
     meets = [Abs(one[4] - two[3]) < 0.5 for one, two in pairwise(SLOTS)]
     right_ends = And(Abs(SLOTS[0][3] - 1) < 0.5, Abs(SLOTS[2][4] - 3) < 0.5)
     off = distance(ghost, OBJECT)
-    broken = [
+    strip = Outline(box(2.7, 0.56), "wall_top", "edge")
+    between = [
         shape
-        for meet, one in zip(meets, places, strict=False)
+        for meet, (x, y) in zip(meets, places, strict=False)
         for shape in (
-            *when(meet, Line("velocity", ((one[0] + 0.14, 0.48), (one[0] + 0.3, 0.48)))),
-            *when(~meet, Label("error", (one[0] + 0.22, 0.48), "✗")),
+            *when(meet, Line("velocity", ((x + 0.2, y), (x + 0.46, y)))),
+            *when(~meet, Point("error", (x + 0.33, y))),
         )
     ]
     return Figure(
         name="dominoes",
         title="Three dominoes with letters in a row; the room, and where they put the object",
-        view=(-0.6, 3.2, -0.4, 1.5),
+        view=(-0.35, 2.15, -0.3, 1.96),
         ground="tiles",
         size="laboratory",
         controls=tuple(
             Choice(f"tile_{k + 1}", f"tile {k + 1}", slot, tiles(), start=start)
-            for k, (slot, start) in enumerate(zip(SLOTS, ("T_db", "T_bc", "T_de"), strict=True))
+            for k, (slot, start) in enumerate(zip(SLOTS, ("T_db", "T_cb", "T_de"), strict=True))
         ),
         where=steps,
         shapes=(
             things.camera_above(CAMERA),
             parcel(OBJECT),
             robot(PLATFORM, BENDS),
-            *axes(CAMERA, "d"),
-            *axes(PLATFORM, "b", 0.3),
-            *axes(IN_ROOM, "c", 0.3),
+            *lettered(CAMERA, "d"),
+            *lettered(PLATFORM, "b", 0.3),
+            *lettered(IN_ROOM, "c", 0.3),
+            Label("text", (OBJECT[0] + 0.14, OBJECT[1]), "e"),
             Line("error", (OBJECT, ghost)),
             parcel(ghost, "wrong"),
-            Point("approximation", ghost[:2], "the product"),
+            Sprite((0.9, places[0][1], 0), (strip,), silhouette=""),
             *[shape for slot, at in zip(SLOTS, places, strict=True) for shape in tile(slot, at)],
-            *broken,
+            *between,
         ),
-        readouts=(Readout("off", "off the object", off, "m"),),
+        readouts=(Readout("off", "red box off by", off, "m"),),
         goal=Goal(
             And(*meets, right_ends, off < 0.01),
-            "Lay tiles from c to e, so that the product meets the object within 1 cm.",
+            "Lay tiles from c to e, so that the red box meets the yellow one within 1 cm.",
         ),
     )
 
@@ -764,41 +804,29 @@ def difference_figure() -> Figure:
         **dict(zip(T_de, OBJECT, strict=True)),
     }
     be = [SOUGHT[name] for name in ("x_be", "y_be", "theta_be")]
-    corner = point_of((*PLATFORM[:2], db_turn), be[0])
+    here, beside = (*PLATFORM[:2], db_turn), (OBJECT[0], PLATFORM[1])
+    corner = point_of(here, be[0])
     return Figure(
         name="differences",
         title="Platform and object: the way between them along the axes of camera and platform",
         view=(0.05, 2.15, -0.05, 1.4),
         ground="tiles",
-        controls=(Slider.degrees(db_turn, -175, 175, start=100, step=2),),
+        controls=(Slider.degrees(db_turn, -176, 176, start=90, step=2),),
         where=(*given.items(), *assign(frames.object_seen)),
         shapes=(
-            things.platform((*PLATFORM[:2], db_turn)),
+            things.platform(here),
             parcel(OBJECT),
-            Line("ghost", (PLATFORM, (OBJECT[0], PLATFORM[1]))),
-            Line("ghost", ((OBJECT[0], PLATFORM[1]), OBJECT)),
+            Line("ghost", (PLATFORM, beside, OBJECT)),
             Label("text", ((PLATFORM[0] + OBJECT[0]) / 2, PLATFORM[1] - 0.05), "x_de − x_db"),
             Label("text", (OBJECT[0] + 0.2, (PLATFORM[1] + OBJECT[1]) / 2), "y_de − y_db"),
             Line("x_axis", (PLATFORM, corner)),
             Line("y_axis", (corner, OBJECT)),
-            *when(
-                Abs(be[0]) > 0.15,
-                Label("x_axis", point_of((*PLATFORM[:2], db_turn), be[0] / 2), "x_be"),
-            ),
-            *when(
-                Abs(be[1]) > 0.15,
-                Label("y_axis", point_of((*PLATFORM[:2], db_turn), be[0], be[1] / 2), "y_be"),
-            ),
-            Arrow("x_axis", PLATFORM, point_of((*PLATFORM[:2], db_turn), 0.32), ""),
+            *when(Abs(be[0]) > 0.15, Label("x_axis", point_of(here, be[0] / 2), "x_be")),
+            *when(Abs(be[1]) > 0.15, Label("y_axis", point_of(here, be[0], be[1] / 2), "y_be")),
+            Arrow("x_axis", PLATFORM, point_of(here, 0.32), ""),
             AngleArc(db_turn, PLATFORM, 0, db_turn, 0.13),
         ),
-        handles=(
-            Handle(
-                "nose of the platform",
-                point_of((*PLATFORM[:2], db_turn), 0.32),
-                {db_turn: angle_to_pointer((*PLATFORM[:2], 0))},
-            ),
-        ),
+        handles=(nose(here),),
         readouts=(Readout(be[0]), Readout(be[1])),
         goal=Goal(
             And(Abs(be[1]) < 0.02, be[0] > 0),
@@ -817,35 +845,37 @@ def papers_figure() -> Figure:
     """Draw a letter on the floor, in the camera's picture, and its numbers with y up."""
     c, z = cos(camera_turn), sin(camera_turn)
     numbers = [(c * x + z * y, z * x - c * y) for x, y in LETTER]  # along x and y of the camera
-    floor, picture, plot = (-1.15, 0), (0, 0), (1.15, 0)
+    sheet = Outline(box(1.12, 1.12, corner=0.01), "paper", "edge")
+    papers = (
+        (-1.15, "floor", LETTER, (c, z), (z, -c)),
+        (0, "y down", [(x, -y) for x, y in numbers], (1, 0), (0, -1)),
+        (1.15, "y up", numbers, (1, 0), (0, 1)),
+    )
+    tip = (papers[0][0] + 0.32 * c, 0.32 * z)
     return Figure(
         name="three-papers",
         title="Three papers: the floor with a letter R, the camera's picture, its numbers plotted",
-        view=(-1.75, 1.75, -0.78, 0.68),
+        view=(-1.75, 1.75, -0.6, 0.82),
         ground="wall",
         controls=(
             Slider.degrees(camera_turn, -90, 90, start=20, step=5, label="camera turned by"),
         ),
-        shapes=(
-            *(things.sheet((x, 0, 0), 1.08, 1.08) for x in (-1.15, 0, 1.15)),
-            Line("path", tuple((x + floor[0], y) for x, y in LETTER)),
-            Line("path", tuple((u, -v) for u, v in numbers)),
-            Line("path", tuple((u + plot[0], v) for u, v in numbers)),
-            Arrow("x_axis", floor, (floor[0] + 0.42 * c, 0.42 * z), "x_f"),
-            Arrow("y_axis", floor, (floor[0] + 0.42 * z, -0.42 * c), "y_f"),
-            Arrow("x_axis", picture, (0.42, 0), "x_f"),
-            Arrow("y_axis", picture, (0, -0.42), "y_f"),
-            Arrow("x_axis", plot, (plot[0] + 0.42, 0), "x_f"),
-            Arrow("y_axis", plot, (plot[0], 0.42), "y_f"),
-            Label("text", (-1.15, -0.67), "floor"),
-            Label("text", (0, -0.67), "y down"),
-            Label("text", (1.15, -0.67), "y up"),
+        shapes=tuple(
+            shape
+            for x, words, letter, along, aside in papers
+            for shape in (
+                Sprite((x, 0, 0), (sheet,), silhouette=""),
+                Line("path", tuple((x + u, v) for u, v in letter)),
+                Arrow("x_axis", (x, 0), (x + 0.32 * along[0], 0.32 * along[1]), "x_f"),
+                Arrow("y_axis", (x, 0), (x + 0.32 * aside[0], 0.32 * aside[1]), "y_f"),
+                Label("text", (x, 0.66), words),
+            )
         ),
         handles=(
             Handle(
                 "tip of the camera's x axis",
-                (floor[0] + 0.42 * c, 0.42 * z),
-                {camera_turn: atan2(POINTER[1], POINTER[0] - floor[0])},
+                tip,
+                {camera_turn: atan2(POINTER[1], POINTER[0] - papers[0][0])},
             ),
         ),
     )
@@ -919,16 +949,17 @@ def flying_figure() -> Figure:
     hand = tuple(base + about_z(heading) * Matrix([*HAND[:2], 0]))
     corners = [
         tuple(Matrix(at) + R * Matrix([x, y, HIGH - FLOOR]))
-        for x, y in ((-0.6, -0.5), (0.6, -0.5), (0.6, 0.5), (-0.6, 0.5))
+        for x, y in ((-0.5, -0.45), (0.5, -0.45), (0.5, 0.45), (-0.5, 0.45))
     ]
     letter = [(0.6 * x - 0.4, 0.6 * y + 0.35, FLOOR) for x, y in LETTER]
-    cloth = meshes.box("accent", (0.7, 0.6, 0.012))
-    shown = [Piecewise((x, hidden > 0), (nan, True)) for x in (-0.22, -0.3, 0.42)]
+    cloth = meshes.box("accent", (0.42, 0.5, 0.012))
+    missed_box = tuple(replace(m, kind="error", edge="error") for m in space.parcel((*BOX, 0.1)))
+    shown = [Piecewise((x, hidden > 0), (nan, True)) for x in (*BASE, 0.12)]
     wrong = [Piecewise((x, hidden > 0), (nan, True)) for x in told]
     return Figure(
         name="camera-above",
         title="In space: a camera f that looks down on a platform b, its hand c and an object e",
-        view=(-1.0, 1.0, -0.5, 1.3),
+        view=(-0.95, 0.95, -0.57, 1.29),
         ground="wall",
         size="laboratory",
         controls=(
@@ -944,14 +975,15 @@ def flying_figure() -> Figure:
             VIEW.line("ghost", (*corners, corners[0])),
             *platform_in_space(turns),
             VIEW.solid(space.parcel((*BOX, 0.1)), about_z(OBJECT[2]), tuple(thing), floor=FLOOR),
-            VIEW.solid(space.parcel((*BOX, 0.1)), about_z(OBJECT[2]), wrong, opacity=0.4),
+            VIEW.solid(missed_box, about_z(OBJECT[2]), wrong, opacity=0.6),
+            VIEW.line("error", (tuple(thing), wrong)),
             VIEW.solid((cloth,), eye(3), shown, opacity=0.45),
             VIEW.solid(space.camera(1.3), R, at),
             VIEW.arrow("path", at, tuple(thing)),
             *when(hidden < 1, VIEW.arrow("path", at, tuple(base))),
             VIEW.arrow("icr", hand, tuple(told)),
             *VIEW.frame(R, at, 0.3, ("x_f", "y_f", "z_f")),
-            *VIEW.frame(about_z(heading + HAND[2]), hand, 0.24, ("x_c", "y_c", "")),
+            *VIEW.frame(about_z(heading + HAND[2]), hand, 0.24, ("x_c", "y_c", "z_c")),
         ),
         readouts=(
             Readout("x_e", "from camera f, x_fe", p_fe[0], "m"),
@@ -999,11 +1031,11 @@ def miss_figure() -> Figure:
             Line("ghost", (at, thing)),
             Line("approximation", (at, told)),
             AngleArc(error, at, start, start + error, 0.7),
-            Length(lever, at, thing, aside=-0.16),
+            Length(lever, at, thing, aside=0.28),
             things.parcel((*thing, 0), 0.17, 0.07),
             things.parcel((*told, 0), 0.17, 0.07, "wrong"),
             Line("error", (thing, told)),
-            Label(missed, ((thing[0] + told[0]) / 2, 0.1)),
+            Label("error", ((thing[0] + told[0]) / 2, 0.1), "{missed}"),
             Label("text", (-0.35, 1.3), "here 0 mm"),
             *graph.shapes(
                 "error in degrees",
@@ -1017,7 +1049,7 @@ def miss_figure() -> Figure:
             Label("text", graph.place((3.2, 38)), "turned"),
             Point("error", now),
         ),
-        readouts=(Readout(missed),),
+        readouts=(Readout("missed", "miss Δ", missed, "mm", 0),),
     )
 
 
@@ -1057,7 +1089,7 @@ def graph_figure() -> Figure:
         ahead, back = And(is_end, ~is_start), And(is_start, ~is_end)
         middle = tuple((a + b) / 2 for a, b in zip(tail, head, strict=True))
         shapes += [
-            Arrow("ghost", tail, head, ""),
+            Arrow("length", tail, head, ""),
             *when(ahead, Arrow("velocity", tail, head, ""), Label("velocity", middle, f"T_{edge}")),
             *when(
                 back,
@@ -1072,6 +1104,7 @@ def graph_figure() -> Figure:
         things.platform((*NODES["b"], pi / 2)),
         things.arm((*NODES["c"], pi / 4), (0,), (0.25,), base=""),
         parcel((*NODES["e"], 3 * pi / 4)),
+        *axes((*NODES["r"], 0), "", 0.16),
         things.vacuum((*NODES["g"], pi / 2)),
     )
     names = {name: (k,) for k, name in enumerate(NODES)}
@@ -1115,6 +1148,8 @@ def chain_figure() -> Figure:
     arm = arm_on(steps, T_db, bends)
     ce = steps.add("ce", seen_from(arm.hand, T_de))
     closed = Piecewise((0.5, is_gripped(ce)), (1, True))
+    seen = point_of(MIDDLE, *ce[:2])
+    inside = (OTHER[0] < seen[0], seen[0] < OTHER[1], OTHER[2] < seen[1], seen[1] < OTHER[3])
     second = T_db[2] + alpha + beta
     alike = And(
         distance(T_de, arm.from_platform) < 0.03,
@@ -1138,29 +1173,17 @@ def chain_figure() -> Figure:
         where=(*steps, *LINKS.items(), *zip(T_bc, arm.from_platform, strict=True)),
         shapes=(
             *two_views(arm.hand, robot(T_db, bends, closed), parcel(T_de)),
+            GRIPPED,
             Arrow("icr", arm.hand, T_de, ""),
-            Arrow("icr", MIDDLE, point_of(MIDDLE, *ce[:2]), ""),
+            *when(And(*inside), Arrow("icr", MIDDLE, seen, "")),
         ),
         handles=(
-            Handle(
-                "nose of the platform",
-                point_of(T_db, 0.2),
-                {db_turn: angle_to_pointer((*T_db[:2], 0))},
-            ),
+            nose(T_db, 0.2),
             Handle("platform", T_db),
             Handle("second joint", arm.elbow[:2], {alpha: angle_to_pointer(T_db)}),
-            Handle(
-                "tip of the hand's x axis",
-                point_of(arm.hand, AXIS),
-                {gamma: angle_to_pointer((*arm.hand[:2], second))},
-            ),
+            tip_of_hand(arm.hand, second),
             Handle("hand", arm.hand[:2], {beta: angle_to_pointer(arm.elbow)}),
-            Handle(
-                "end of the object",
-                point_of(T_de, 0.12),
-                {de_turn: angle_to_pointer((*T_de[:2], 0))},
-            ),
-            Handle("object", T_de),
+            Handle("object", (de_x, de_y - 0.14), {de_x: POINTER[0], de_y: POINTER[1] + 0.14}),
         ),
         readouts=(
             Readout("x", "from hand c, x_ce", ce[0], "m"),
@@ -1175,7 +1198,7 @@ def chain_figure() -> Figure:
             "The platform sees its hand at x = {hand_x}, y = {hand_y}, turned by {hand_turn}."
         ),
         goal=(
-            Goal(is_gripped(ce), "Grip the box: within 3 cm and 15°."),
+            Goal(is_gripped(ce), "Grip the box: within 5 cm along, 3 cm across, 15°."),
             Goal(
                 And(Abs(ce[0] - 0.3) < 0.02, Abs(ce[1]) < 0.02),
                 "Let the hand see the box 0.3 m straight ahead: within 2 cm each way.",
@@ -1202,11 +1225,12 @@ def loops_figure() -> Figure:
     """Draw objects where a hand finds them and where an askew camera does: close the loops."""
     steps, hung = NamedSteps(), mounting(HUNG)
     guess = steps.add("m", mounting((camera_tilt, tilt_y, camera_turn)))
-    shapes, gaps = [], []
+    shapes, gaps, places = [], [], []
     for k, (x, y) in enumerate(SEEN_OBJECTS, 1):
         there = Matrix([x, y, -1.4])
         seen = (hung.T * there).evalf(17)
         told = steps.add("told" + "abc"[k - 1], guess * seen)
+        places.append(told[:2])
         gaps.append(sqrt(sum((a - b) ** 2 for a, b in zip(told, there, strict=True))))
         shapes += [
             parcel((x, y, 0.3 * k)),
@@ -1226,7 +1250,14 @@ def loops_figure() -> Figure:
             Slider.degrees(camera_turn, -6, 6, step=0.2, label="turn about z_f"),
         ),
         where=steps,
-        shapes=(things.camera_above((0, 0, -pi / 2)), *axes((0, 0, 0), "r", 0.2), *shapes),
+        shapes=(
+            things.camera_above((0, 0, -pi / 2)),
+            Line("path", ((0, 0), SEEN_OBJECTS[0])),
+            Line("approximation", ((0, 0), places[0])),
+            Arrow("x_axis", (0, 0), tuple(0.2 * guess[:2, 0]), "x_f"),
+            Arrow("y_axis", (0, 0), tuple(0.2 * guess[:2, 1]), "y_f"),
+            *shapes,
+        ),
         readouts=tuple(
             Readout(f"gap_{k}", f"gap of loop {k}", gap, "mm", 1) for k, gap in enumerate(gaps, 1)
         ),

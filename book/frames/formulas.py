@@ -1,6 +1,6 @@
 """Frames: a pose as a matrix, its inverse, poses in a chain, a camera that looks down."""
 
-from sympy import Abs, MatMul, Matrix, cos, sin
+from sympy import Abs, MatMul, Matrix, cos, cot, sin
 
 from book.motion.formulas import theta
 from courseware.equations import Equation, as_written, declarations
@@ -30,8 +30,8 @@ bc_turn = quantity("bc_turn", "rad", *TURN, "heading of c seen from b", latex=r"
 
 bp_x = quantity("bp_x", "m", -1, 1, "a point of the platform seen from b", latex="x_{bp}")
 bp_y = quantity("bp_y", "m", -1, 1, "a point of the platform seen from b", latex="y_{bp}")
-pole_x = quantity("pole_x", "m", -9, 9, "the point that a pose leaves alone, along x", "x_C")
-pole_y = quantity("pole_y", "m", -9, 9, "the point that a pose leaves alone, along y", "y_C")
+pole_x = quantity("pole_x", "m", -9, 9, "the point that a pose leaves alone, along x", "x_k")
+pole_y = quantity("pole_y", "m", -9, 9, "the point that a pose leaves alone, along y", "y_k")
 
 roll = quantity("roll", "rad", *TURN, "turn about x, by which any rotation begins")
 pitch = quantity("pitch", "rad", *TURN, "turn about y, the second of any rotation")
@@ -66,10 +66,10 @@ p = symbol("p", "the position in a pose")
 Q = symbol("Q", "the turn in the inverse of a pose")
 q = symbol("q", "the position in the inverse of a pose")
 identity = symbol("I", "the identity matrix")
-pole_place = symbol("c", "the pole of a pose: the point that stays where it is", unit="m")
+pole_place = symbol("k", "the pole of a pose: the point that stays where it is", unit="m")
 wrong_turn = symbol("D", "the error of a pose, a pose itself")
 AXES = [symbol(f"{u}_{of}", f"{u} axis of frame {of}") for of in "bc" for u in "xy"]
-POINTS = [symbol(f"p_{of}", f"a point as seen from {of}", unit="m") for of in "abc"]
+POINTS = [symbol(f"q_{of}", f"a point as seen from {of}", unit="m") for of in "abc"]
 TURNS = [symbol(f"R_{of}", f"the turn in T_{of}", f"R_{{{of}}}") for of in ("ab", "bc")]
 PLACES = [symbol(f"p_{of}", f"the position in T_{of}", f"p_{{{of}}}", "m") for of in ("ab", "bc")]
 
@@ -111,6 +111,9 @@ with as_written():
                 (db_x - db_y * cos(db_turn / 2) / sin(db_turn / 2)) / 2,
                 (db_y + db_x * cos(db_turn / 2) / sin(db_turn / 2)) / 2,
             ]
+        ),
+        textbook=Matrix(
+            [(db_x - db_y * cot(db_turn / 2)) / 2, (db_y + db_x * cot(db_turn / 2)) / 2]
         ),
     )
 

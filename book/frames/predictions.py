@@ -276,7 +276,7 @@ PREDICTIONS = (
     ),
     Prediction(
         "round-the-loop",
-        "What is left over at the end?",
+        "What is left over at the end, seen from f, where you started?",
         Buttons(
             ("nothing", "a shift by 5 cm", "a turn by 2°"),
             right=left_over,

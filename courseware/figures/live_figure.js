@@ -127,12 +127,11 @@ export class LiveFigure {
     this.outputs.forEach((output) => writeText(output, shown(output.dataset.o)));
   }
 
-  // Passing over a goal does not reach it; once reached it stays so until a reset, but for the frame.
+  // Passing over a goal does not reach it; once reached it stays so until a reset.
   writeGoals() {
-    const now = this.held || this.passing ? [] : this.figure.goals;
-    const isMet = ({ at }) => this.computed.values[at] === 1;
-    now.forEach((goal, k) => { if (isMet(goal)) this.reached.add(k); });
-    this.element.classList.toggle("rk-reached", now.some(isMet));
+    const now = this.figure.goals.map(({ at }) => this.computed.values[at] === 1);
+    if (!this.held && !this.passing) now.forEach((isReached, k) => { if (isReached) this.reached.add(k); });
+    this.element.classList.toggle("rk-reached", now.some((isReached, k) => isReached && this.reached.has(k)));
     this.goals.forEach((goal, k) => {
       const done = this.reached.has(k);
       if (goal.classList.contains("rk-done") === done) return;

@@ -43,6 +43,13 @@ def chain_readouts(x_b, y_b, turn_b, alpha, beta, gamma, x_e, y_e, turn_e):
     return named(found, "x", "y", "turn") | named(hand, "hand_x", "hand_y", "hand_turn")
 
 
+def views_readouts(x_b, y_b, alpha, beta):
+    """Return how far the object is from the middle between the fingers, and how far turned."""
+    seen = chain_readouts(x_b, y_b, UP, alpha, beta, -FLAT, 1.5, 1.1, 3 * FLAT)
+    turned = motion.wrap_angle(2 * seen["turn"]) / 2  # one way round or the other
+    return {"off": np.hypot(seen["x"] - 0.17, seen["y"]), "turned": abs(turned)}
+
+
 def tracing_readouts(gamma, lifted):
     still = 0 * gamma
     T_dc, _ = hand_on((1.0, 0.5, UP), still + UP, still - UP, gamma)
@@ -63,7 +70,7 @@ def home_readouts(turn, part):
 
 def domino_readouts(*numbers):
     """Return how far from the object the product of three tiles puts it."""
-    product = frames.compose(*(frames.se2(*numbers[k : k + 3]) for k in (0, 5, 10)))
+    product = frames.compose(*(frames.se2(*numbers[k : k + 3]) for k in (0, 6, 12)))
     there = frames.compose(frames.se2(0.7, 0.9, FLAT), product)[:, :2, 2]
     return {"off": np.hypot(*(there - [1.5, 1.1]).T)}
 
@@ -141,6 +148,7 @@ def mistakes_readouts(*columns):
 
 
 READOUTS = {
+    "two-views": views_readouts,
     "tracing": tracing_readouts,
     "directions": directions_readouts,
     "turned-home": home_readouts,
@@ -243,6 +251,7 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
             "M9": [1.3744, -1.8928, 1],
             "M10": [-2.6256, 1.7072, -4.4],
             "along the camera's axes": [-2.6, 2, -1],
+            "counted down": [-2.9078, -1.5181, -1],
         },
     ),
     "frames-7": (
@@ -295,20 +304,23 @@ PREDICTED = {  # prediction → what is right; where numbers are typed, the wron
     "four-more": "1 and 2",
     "round-the-loop": "a turn by 2°",
 }
-AT_BOX = {"joint_alpha": 0.0, "joint_beta": -UP, "db_y": 0.9414}  # the hand's x axis at -45°
 AHEAD = 0.7071  # of 0.3 m along the hand's x axis, at 45°
+
+
+def at_box(along=0.0, across=0.0):
+    """Return settings with the hand's x axis at −45°, and the box so far off its grip, in m."""
+    place = {"db_x": 0.9798 - AHEAD * (along - across), "db_y": 0.9202 + AHEAD * (along + across)}
+    return {"joint_alpha": 0.0, "joint_beta": -UP, **place}
+
+
 TO_E = np.arctan2(0.6, 0.5)  # from the platform to the object, seen from d
 HUNG = dict(zip(("camera_tilt", "tilt_y", "camera_turn"), np.radians([1.5, -1, 3]), strict=True))
 TILES = {"tile_1": "T_cb", "tile_2": "T_bd", "tile_3": "T_de"}
 GOALS = {  # figure → for each goal: settings that just reach it, and that just miss it
     "two-views": [
         (
-            [
-                {**AT_BOX, "db_x": 0.96, "db_y": 0.94},
-                {**AT_BOX, "db_x": 0.9584 + 0.0299},
-                {**AT_BOX, "db_x": 0.9584, "db_y": 0.9414 - 0.0299},
-            ],
-            [{**AT_BOX, "db_x": 0.9584 + 0.0302}, {**AT_BOX, "db_x": 0.9584 - 0.0302}],
+            [at_box(0.0498), at_box(-0.0498), at_box(0.0, 0.0298), at_box(0.0, -0.0298)],
+            [at_box(0.0502), at_box(-0.0502), at_box(0.0, 0.0302), at_box(0.0, -0.0302)],
         )
     ],
     "pole": [  # at 90° the pole goes by 0.707 of the shift
@@ -336,12 +348,12 @@ GOALS = {  # figure → for each goal: settings that just reach it, and that jus
     "room-plan": [
         (
             [
-                {**AT_BOX, "db_x": 0.9584 + 0.0299},
-                {**AT_BOX, "db_x": 0.9584, "de_turn": np.radians(135 + 14.9)},
+                at_box(0.0498),
+                {**at_box(), "de_turn": np.radians(135 + 14.9)},
             ],
             [
-                {**AT_BOX, "db_x": 0.9584 + 0.0302},
-                {**AT_BOX, "db_x": 0.9584, "de_turn": np.radians(135 + 15.1)},
+                at_box(0.0502),
+                {**at_box(), "de_turn": np.radians(135 + 15.1)},
             ],
         ),
         (

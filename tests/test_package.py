@@ -32,6 +32,16 @@ def wheels(tmp_path_factory):
     return {name: Path(next(b.build(directory=folder))) for name, b in builders.items()}
 
 
+def test_a_release_has_one_version():
+    """CHANGELOG.md says where it is written, and has it in its first heading."""
+    texts = [ROOT / name / "__init__.py" for name in PROJECTS]
+    texts += [ROOT / name for name in ("_config.yml", "CITATION.cff", "README.md", "CHANGELOG.md")]
+    number = re.compile(
+        r"(?<!cff-)(?:version|__version__ =|^##)[: ]+\"?(\d+\.\d+\.\d+)", re.MULTILINE
+    )
+    assert len({number.search(path.read_text("utf-8"))[1] for path in texts}) == 1
+
+
 def sources(package, suffixes, left_out=()):
     """The files of a package that its wheel must hold, by their names in the wheel."""
     return {

@@ -1410,7 +1410,7 @@ def laboratory_figure() -> Figure:
                     Abs(wish_omega) > 0.1,
                     Abs(twist[2] - wish_omega) < 0.01,
                 ),
-                "From *nothing yet*: what turns on the spot, never goes sideways. Wish for both.",
+                "From “nothing yet”: what turns on the spot, never goes sideways. Wish for both.",
             ),
             Goal(
                 And(is_robot["differential drive"], delta_m < 1.5, delta_m > 0.5, delta_s > 0.5),

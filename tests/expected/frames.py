@@ -319,7 +319,11 @@ TILES = {"tile_1": "T_cb", "tile_2": "T_bd", "tile_3": "T_de"}
 GOALS = {  # figure → for each goal: settings that just reach it, and that just miss it
     "two-views": [
         (
-            [at_box(0.0498), at_box(-0.0498), at_box(0.0, 0.0298), at_box(0.0, -0.0298)],
+            [
+                {**at_box(), "db_x": 0.98, "db_y": 0.92},  # on the sliders' steps
+                *(at_box(along) for along in (0.0498, -0.0498)),
+                *(at_box(0.0, across) for across in (0.0298, -0.0298)),
+            ],
             [at_box(0.0502), at_box(-0.0502), at_box(0.0, 0.0302), at_box(0.0, -0.0302)],
         )
     ],

@@ -851,7 +851,7 @@ def papers_figure() -> Figure:
         (0, "y down", [(x, -y) for x, y in numbers], (1, 0), (0, -1)),
         (1.15, "y up", numbers, (1, 0), (0, 1)),
     )
-    tip = (papers[0][0] + 0.32 * c, 0.32 * z)
+    tip = (papers[0][0] + 0.27 * c, 0.27 * z)
     return Figure(
         name="three-papers",
         title="Three papers: the floor with a letter R, the camera's picture, its numbers plotted",
@@ -866,8 +866,8 @@ def papers_figure() -> Figure:
             for shape in (
                 Sprite((x, 0, 0), (sheet,), silhouette=""),
                 Line("path", tuple((x + u, v) for u, v in letter)),
-                Arrow("x_axis", (x, 0), (x + 0.32 * along[0], 0.32 * along[1]), "x_f"),
-                Arrow("y_axis", (x, 0), (x + 0.32 * aside[0], 0.32 * aside[1]), "y_f"),
+                Arrow("x_axis", (x, 0), (x + 0.27 * along[0], 0.27 * along[1]), "x_f"),
+                Arrow("y_axis", (x, 0), (x + 0.27 * aside[0], 0.27 * aside[1]), "y_f"),
                 Label("text", (x, 0.66), words),
             )
         ),

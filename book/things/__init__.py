@@ -17,16 +17,12 @@ from book.things.arms import arm
 from book.things.robots import dock, omni_robot, pad, pad_lights, platform, robot, vacuum
 from book.things.room import (
     ball,
-    ball_stand,
     bench,
-    board,
     camera_above,
     ceiling_camera,
-    cone,
     kerb,
     lamplight,
     parcel,
-    road_marks,
     ruler,
     sheet,
     shelf,
@@ -49,10 +45,9 @@ from book.things.wheels import (
 )
 
 __all__ = [
-    "arm", "ball", "ball_stand", "ball_wheel", "bench", "bicycle_wheel", "board", "bus",
-    "camera_above", "car", "castor", "ceiling_camera", "cone", "counter", "dock", "encoder_wheel",
-    "kerb", "lamplight", "light_gate", "mecanum_wheel", "omni_robot", "omni_wheel", "pad",
-    "pad_lights",
-    "parcel", "platform", "road_marks", "robot", "rod", "roller_wheel", "ruler", "sheet", "shelf",
-    "steered_wheel", "tiled_room", "tracing_paper", "trolley", "vacuum", "walls", "wheel",
+    "arm", "ball", "ball_wheel", "bench", "bicycle_wheel", "bus", "camera_above", "car",
+    "castor", "ceiling_camera", "counter", "dock", "encoder_wheel", "kerb", "lamplight",
+    "light_gate", "mecanum_wheel", "omni_robot", "omni_wheel", "pad", "pad_lights", "parcel",
+    "platform", "robot", "rod", "roller_wheel", "ruler", "sheet", "shelf", "steered_wheel",
+    "tiled_room", "tracing_paper", "trolley", "vacuum", "walls", "wheel",
 ]  # fmt: skip

@@ -129,7 +129,6 @@ GRADIENTS = {
     ),
     "sheen": Gradient("r", ((0, "light", 0.75), (1, "light", 0))),
     "lamplight": Gradient("r", ((0, "floor_lit"), (0.6, "floor_lit", 0.9), (1, "floor_lit", 0))),
-    "beam": Gradient("y", ((0, "lamp", 0.5), (1, "lamp", 0.08))),
     "table": Gradient("r", ((0, "plank_lit"), (1, "plank"))),
     "glaze": Gradient(
         "y",

@@ -1,7 +1,7 @@
 """Furniture and tools: camera, box, ball, bench, ruler, kerb, shelf, walls."""
 
 from collections.abc import Sequence
-from math import ceil, floor, tan
+from math import ceil, floor
 from typing import Any
 
 from book.things.outlines import Point, box, curves, disc, line, polygon
@@ -41,14 +41,6 @@ def camera_above(pose: Any, look: str = "") -> Sprite:
     return Sprite(pose, (body, lens), 0.03, look)
 
 
-def cone(place: Any, long: float, half: float) -> Sprite:
-    """Return the light that a camera sees by, from its lens down; half: of its angle."""
-    low, wide = -long, long * tan(half)
-    light = polygon(((-0.02, 0), (0.02, 0), (wide, low), (-wide, low)))
-    sides = line((-0.02, 0), (-wide, low)) + line((0.02, 0), (wide, low))
-    return Sprite(place, (Outline(light, "beam"), Outline(sides, "", "ghost")), silhouette="")
-
-
 def lamplight(place: Any, radius: float) -> Sprite:
     """Return the light of a lamp on the floor of a dark room."""
     return Sprite(place, (Outline(disc(radius), "lamplight"),), silhouette="")
@@ -72,23 +64,6 @@ def ball(place: Any, radius: float = 0.025, look: str = "") -> Sprite:
     r = radius
     glint = Outline(disc(0.5 * r, -0.28 * r, 0.32 * r), "sheen")
     return Sprite(place, (Outline(disc(r), "ball", "goal_edge"), glint), height=0.3 * r, look=look)
-
-
-def ball_stand(place: Any, high: float, radius: float = 0.025) -> Sprite:
-    """Return a ball on a stand from the side, its middle at a place, `high` above the foot."""
-    r, low = radius, -high
-    foot = polygon(
-        ((-2.6 * r, low), (2.6 * r, low), (1.9 * r, low + 0.6 * r), (-1.9 * r, low + 0.6 * r))
-    )
-    cup = curves((-1.15 * r, -0.75 * r), [(0, -1.75 * r), (1.15 * r, -0.75 * r)], closed=False)
-    post = box(0.5 * r, high - 1.7 * r, 0, (low - 1.1 * r) / 2, 0.05 * r)
-    parts = (
-        Outline(post, "drum", "edge"),
-        Outline(foot, "drum", "edge"),
-        Outline(cup, "", "edge", 0.32 * r),
-        ball((0, 0, 0), r),
-    )
-    return Sprite(place, parts, height=0.3 * r, silhouette=foot + post)
 
 
 def bench(left: float, right: float, top: float, bottom: float) -> Sprite:
@@ -174,14 +149,6 @@ def kerb(
     return Sprite(place, parts, height=0.08, silhouette=box(long, wide, long / 2, -wide / 2))
 
 
-def road_marks(place: Any, long: float, dash: float = 1.5) -> Sprite:
-    """Return the dashes in the middle of a road, along x."""
-    count = max(1, round(long / dash / 1.8))
-    step = long / count
-    dashes = "".join(box(dash, 0.12, (k + 0.5) * step, 0, 0.02) for k in range(count))
-    return Sprite(place, (Outline(dashes, "paint"),), silhouette="")
-
-
 BOOKS = ("glass_lit", "accent", "shell_mid", "dark", "metal_mid", "wood_lit", "accent_dark")
 
 
@@ -202,13 +169,6 @@ def shelf(place: Any, long: float = 0.8, wide: float = 0.17) -> Sprite:
         *books,
     )
     return Sprite(place, parts, height=0.03)
-
-
-def board(place: Any, long: float, thick: float = 0.02) -> Sprite:
-    """Return the board of a shelf from the side, its middle at a place."""
-    return Sprite(
-        place, (Outline(box(long, thick, corner=0.2 * thick), "wood", "wood_edge"),), height=thick
-    )
 
 
 def tiled_room(room: tuple[float, float, float, float], tile: float = 0.25) -> tuple[Outline, ...]:

@@ -138,11 +138,11 @@ def test_a_mistake_says_all_it_must(mistake):
     told = mistake.document, mistake.place, mistake.nth, mistake.quote, mistake.correction
     assert all(told) or not any((*told, mistake.explanation)), (
         f"{mistake.name} is in a document, and needs all of `document`, `place`, `nth`, "
-        f"`stands` and `should`, or in none: {told}"
+        f"`quote` and `correction`, or in none: {told}"
     )
     # an erratum marks what changes, and marks nothing that is there already
     assert bool(mistake.document) == ("«" in mistake.correction), (
-        f"mark in `should` of {mistake.name} what changes, in « »"
+        f"mark in `correction` of {mistake.name} what changes, in « »"
     )
     longest = max(map(len, mistake.line.splitlines()))
     assert longest <= 80, (

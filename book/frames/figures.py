@@ -817,7 +817,7 @@ def difference_figure() -> Figure:
             things.platform(here),
             parcel(OBJECT),
             Line("ghost", (PLATFORM, beside, OBJECT)),
-            Label("text", ((PLATFORM[0] + OBJECT[0]) / 2, PLATFORM[1] - 0.05), "x_de − x_db"),
+            Label("text", ((PLATFORM[0] + 3 * OBJECT[0]) / 4, PLATFORM[1] - 0.07), "x_de − x_db"),
             Label("text", (OBJECT[0] + 0.2, (PLATFORM[1] + OBJECT[1]) / 2), "y_de − y_db"),
             Line("x_axis", (PLATFORM, corner)),
             Line("y_axis", (corner, OBJECT)),

@@ -258,7 +258,7 @@ PREDICTIONS = (
     Prediction(
         "four-more",
         "We tell the graph four more things: (1) $T_{ce}$, but 1 cm off; (2) $T_{fb}$, the pose in "
-        "space; (3) $T_{gh}$ of two frames that nobody knows; (4) the inverse of $T_{bc}$. Which "
+        "space; (3) $T_{kl}$ of two frames that nobody knows; (4) the inverse of $T_{bc}$. Which "
         "does it refuse?",
         Buttons(
             ("1", "1 and 2", "1, 2 and 3", "all"),

@@ -1015,8 +1015,8 @@ def counter_figure() -> Figure:
         view=(-0.9, 0.9, -0.56, 0.56),
         ground="wall",
         controls=(
-            Slider(count_before, 0, NUMBERS - 1, start=60000, step=1, label="reading c"),
-            Slider(count_now, 0, NUMBERS - 1, start=5000, step=1, label="reading c′, later"),
+            Slider(count_before, 0, NUMBERS - 1, start=10000, step=1, label="reading c"),
+            Slider(count_now, 0, NUMBERS - 1, start=30000, step=1, label="reading c′, later"),
         ),
         where=(
             (counter_span, sp.Integer(NUMBERS)),

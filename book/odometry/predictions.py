@@ -160,8 +160,8 @@ PREDICTIONS = (
     ),
     Prediction(
         "early-or-late",
-        "A right wheel slips once by 6 cm: it counts what the robot does not drive. On an almost "
-        "straight way, when is the end further off?",
+        "A right wheel slips once by 6 cm: it counts what the robot does not drive. On a way "
+        "like this one, when is the end further off?",
         Buttons(
             ("if it slips early", "if it slips late", "it is the same"),
             right=lambda: "if it slips early" if slipped(4) > slipped(35) else "if it slips late",

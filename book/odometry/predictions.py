@@ -6,13 +6,13 @@ from sympy import Float
 from book.differential_drive.figures import guess_x, guess_y, t
 from book.differential_drive.formulas import r
 from book.odometry import formulas
+from book.odometry.figures import SAMPLE_TIME, K
 from book.odometry.formulas import N_L, N_R, C
 from courseware.predictions import Buttons, Ghost, Number, Prediction, nearest_option
 from robokin import motion, odometry
 
 ROBOT = (512, 0.05, 0.20)  # ticks in a turn, radius and distance of the wheels, m: the exercise's
 TICKS = (384, 640)  # of its sample, left and right
-NOISE = 1e-4  # m, of a wheel, for each metre
 ENCODER = {C: ROBOT[0], r: Float("0.05"), N_L: TICKS[0], N_R: TICKS[1]}
 
 
@@ -46,7 +46,7 @@ def longer() -> float:
     sizes = []
     for each in (500, 1000):
         ticks = np.full(6, each)
-        uncertain = odometry.covariance(ticks, ticks, *ROBOT, NOISE)[-1]
+        uncertain = odometry.covariance(ticks, ticks, *ROBOT, K)[-1]
         sizes.append(odometry.ellipse(uncertain)[0][0])
     return float(sizes[1] / sizes[0])
 
@@ -131,7 +131,7 @@ PREDICTIONS = (
             "rule-guess",
             places=(guess_x, guess_y),
             right=lambda: place("exact"),
-            then={t: Float(0.5)},
+            then={t: Float(SAMPLE_TIME)},
             tolerance=0.015,
             assumptions={
                 "That is straight on, as if it turned only at the end.": lambda: place("start"),

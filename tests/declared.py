@@ -60,10 +60,7 @@ def typed(rows, exercise):
 
 def judge_all():
     """A program for another Python: it has a right answer to each exercise judged."""
-    deals = {
-        name: variants.all_variants(name)[variants.choose_variant(COURSE, name, "Ada")]
-        for name in EXERCISES
-    }
+    deals = {name: variants.find_variant(COURSE, name, "Ada") for name in EXERCISES}
     answers = {name: typed(v.candidates[0].rows, EXERCISES[name]) for name, v in deals.items()}
     return f"""
 import json, book

@@ -76,6 +76,11 @@ def choose_variant(course: str, exercise: str, name: str) -> int:
     return (value ^ value >> 16) % VARIANTS
 
 
+def find_variant(course: str, exercise: str, name: str = "") -> Variant:
+    """Return a student's variant, by default that of somebody without a name."""
+    return all_variants(exercise)[choose_variant(course, exercise, name)]
+
+
 def all_variants(name: str, secret: str = "") -> tuple[Variant, ...]:
     """Draw the variants of an exercise by a fixed seed: each different, no two answers alike.
 

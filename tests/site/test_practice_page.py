@@ -124,7 +124,7 @@ def printed(text):
 
 
 def variant(exercise, name):
-    return variants.all_variants(exercise)[variants.choose_variant(COURSE, exercise, name)]
+    return variants.find_variant(COURSE, exercise, name)
 
 
 # what is said of several answers, one after the other

@@ -21,9 +21,8 @@ from paper.pages import BUILD, ROOT
 def main():
     settings = yaml.safe_load((ROOT / "_config.yml").read_text("utf-8"))
     site = settings["sphinx"]["config"]
-    front = {"title": settings["title"], "claim": site["site_description"]}
-    front = {name: escape(text) for name, text in front.items()}
-    front["rights"] = site["html_theme_options"]["extra_footer"]
+    rights = site["html_theme_options"]["extra_footer"]
+    front = {"title": escape(settings["title"]), "rights": rights}
     solved = all_exercises() if site["course_solutions"] else {}
     solutions = {name: render_solution(exercise) for name, exercise in solved.items()}
     with chromium.launch() as browser:

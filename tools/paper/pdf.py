@@ -25,7 +25,7 @@ DOCUMENT = """<!DOCTYPE html>
 {body}
 </body></html>
 """
-FRONT = """<section class="bd-article" id="front"><h1>{title}</h1><p>{claim}</p>
+FRONT = """<section class="bd-article" id="front"><h1>{title}</h1>
 <p>This is the book on paper: the figures are shown as they start. On the site they move.</p>
 <footer>{rights}</footer></section>
 <section class="bd-article" id="contents"><h1>Contents</h1><div>
@@ -116,7 +116,7 @@ def join_documents(front, text, entries, title):
 
 
 def write(browser, front, file, solutions, folds_open):
-    """Write a PDF and return the number of its pages. front: title, claim and rights."""
+    """Write a PDF and return the number of its pages. front: title and rights."""
     given = read_pages(browser, solutions, folds_open)
     links = max((page.styles for page in given), key=len)
     links = "\n".join(f'<link rel="stylesheet" href="{escape(each)}"/>' for each in links)

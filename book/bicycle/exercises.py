@@ -71,7 +71,7 @@ front_speed_used = Mistake(
     line="omega = v_front * np.tan(phi) / L",
     why="The formula v tan φ/L holds for the speed v of the rear axle. The front axle is faster, "
     "v_F = v/cos φ. For its speed the formula is v_F sin φ/L.",
-    unnoticed="Straight ahead. For small steering angles it is hard to see: 1.5 % at 10°.",
+    unnoticed="Straight ahead, and at rest. For small steering angles it is hard to see: 1.5 % at 10°.",
     title="It turns too fast",
     picture="The car drives on its circle. Its program believes it on a smaller one.",
     document="004 Ans 1",

@@ -50,6 +50,8 @@ from book.bicycle.formulas import (
     corner_cut,
     kappa,
     lane_width,
+    rod_x,
+    rod_y,
     slide_L,
     slide_R,
     steering,
@@ -453,7 +455,7 @@ def axles_figure() -> Figure:
         readouts=(
             Readout(slide_L, "left tyre slides, each metre"),
             Readout(slide_R, "right tyre slides, each metre"),
-            Readout(R, "turns about a point to the left, at", digits=2, words=STRAIGHT),
+            Readout(R, "turns about, to the left", digits=2, words=STRAIGHT),
         ),
         goal=Goal(
             And(turned, Max(Abs(slide_L), Abs(slide_R)) < 0.01),
@@ -646,7 +648,7 @@ def trapezoid_figure() -> Figure:
     return Figure(
         name="trapezoid",
         title="The front axle of a car: two wheels, an arm at each, and a rod between the arms",
-        view=(-1.7, 1.7, -1.75, 0.75),
+        view=(-1.45, 1.45, -1.75, 0.75),
         ground="paper",
         controls=(
             Slider.degrees(alpha_L, 0, 40, start=30, label="inner wheel α_L"),
@@ -667,8 +669,10 @@ def trapezoid_figure() -> Figure:
             Line("ghost", (left, point_of((*left, back), 0.62))),
             Line("length", (left, grip)),
             AngleArc(arm_angle, left, back, back + arm_angle, 0.55),
-            Label("text", point_of((*right, arms[1][1]), ARM / 2), "arm"),
-            Label("text", ((ends[0][0] + ends[1][0]) / 2, ends[0][1] - 0.1), "tie rod"),
+            Length(arm, left, ends[0], aside=-0.3),
+            Length(rod_x, ends[0], (B / 2, ends[0][1]), aside=-0.3),
+            Length(rod_y, (B / 2, ends[0][1]), right, aside=-0.5),
+            Label("text", ((ends[0][0] + ends[1][0]) / 2, ends[0][1] + 0.08), "tie rod"),
             *(Line(kind, (hub, point_of((*hub, UP + alpha), 0.6))) for hub, alpha, kind in hubs),
             Line("ghost", (right, point_of((*right, UP + wanted), 0.75))),
             AngleArc("error", right, UP + wanted, UP + alpha_R, 0.62),
@@ -742,6 +746,16 @@ LONG = {wheelbase: LENGTH, track: TRACK}
 PACE, THIRTY = 2.0, pi / 6  # m/s, rad: how the long vehicle drives and steers
 DURATION = 10.0  # s, of the drive that is cut into steps
 SMALL = 0.35  # times as large as it is, that drive is drawn
+
+
+def swept_by(long: Any, far: Any, parts: int = 24) -> Area:
+    """Return the lane of the wheels along an arc to the left: inner rear and outer front wheel."""
+    ways = [far * Rational(k, parts) for k in range(parts + 1)]
+    inner, outer = (
+        [point_of(along(START, steering, way, long), ahead, left) for way in ways]
+        for ahead, left in ((0, TRACK / 2), (long, -TRACK / 2))
+    )
+    return Area("path", (*inner, *reversed(outer)))
 
 
 def long_car(pose: Any, steered: Any, rolled: Any = 0, look: str = "") -> Any:
@@ -849,13 +863,11 @@ def lane_figure() -> Figure:
     def at(way: Any, forward: Any, left: Any) -> tuple[Any, Any]:
         return point_of(along(START, steering, way, LENGTH), forward, left)
 
-    side, parts, far = TRACK / 2, 24, 24
-    ways = [far * Rational(k, parts) for k in range(parts + 1)]
-    inner, outer = ([at(way, *hub) for way in ways] for hub in ((0, side), (LENGTH, -side)))
+    side, far = TRACK / 2, 24
     return Figure(
         name="swept-lane",
         title="A long vehicle in a turn, the lane that its wheels need, and a right triangle",
-        view=(-22, 5, -2.2, 17.4),
+        view=(-22, 5, -3.4, 17.4),
         ground="asphalt",
         controls=(
             Slider.degrees(steering, 24, 45, start=30, label="steering φ"),
@@ -864,7 +876,7 @@ def lane_figure() -> Figure:
         where=((wheelbase, LENGTH), (track, TRACK), *assign(bicycle.turning_radius),
                *assign(bicycle.front_radius, bicycle.lane, bicycle.cut)),
         shapes=(
-            Area("path", (*inner, *reversed(outer))),
+            swept_by(LENGTH, far),
             Curve("left", at(s, 0, side), s, 0, far),
             Curve("right", at(s, LENGTH, -side), s, 0, far),
             Line("icr", ((0, 0), (-R, 0))),
@@ -874,7 +886,7 @@ def lane_figure() -> Figure:
             Length(wheelbase, (0, 0), (0, LENGTH), aside=-2.2),
             Label(R_F, (-R / 2, LENGTH / 2 + 0.9)),
             Length(lane_width, (-R, R - side), (-R, sqrt((R + side) ** 2 + LENGTH**2))),
-            Length(corner_cut, (0, 0), (R_F - R, 0), aside=-0.8),
+            Length(corner_cut, (0, 0), (R_F - R, 0), aside=-1.8),
             Point("icr", (-R, 0), "ICR"),
         ),
         readouts=(
@@ -976,7 +988,7 @@ def lab_figure() -> Figure:
     return Figure(
         name="car-laboratory",
         title="A street from above with two kerbs, and a car or a long vehicle that turns in it",
-        view=(-15.5, 7.5, -3.9, 9.6),
+        view=(-16.5, 7.0, -3.4, 11.8),
         ground="asphalt",
         size="laboratory",
         controls=(
@@ -991,6 +1003,7 @@ def lab_figure() -> Figure:
                 things.kerb((curb, -30, UP), 60, 2, pavement=20),
                 things.kerb((curb - KERBS, 30, -UP), 60, 2, pavement=20),
             ),
+            *when(And(is_long > 0.5, steering > 0), swept_by(LENGTH, way_driven)),
             *tracks,
             *shown,
             Point("icr", (-R, 0), "ICR"),

@@ -1061,6 +1061,7 @@ NODES = {
     "r": (1.75, 1.1),
     "g": (2.25, 0.5),
 }
+LETTERED = {"b": -0.28, "c": -0.1, "g": 0.27}  # m: so far beside a node, which is large, its letter
 EDGES = ("db", "bc", "de", "rd", "rg")
 
 
@@ -1120,7 +1121,10 @@ def graph_figure() -> Figure:
         shapes=(
             *things_there,
             *shapes,
-            *(Label("text", (x + 0.14, y + 0.12), name) for name, (x, y) in NODES.items()),
+            *(
+                Label("text", (x + LETTERED.get(name, 0.16), y + 0.1), name)
+                for name, (x, y) in NODES.items()
+            ),
         ),
         readouts=(
             Readout("count", "poses on the way", sum(steps), "", digits=0),

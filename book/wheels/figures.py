@@ -691,7 +691,7 @@ def front_figure() -> Figure:
             (right, -HALF + LONG / tan(steer_R)),
         ),
         shapes=(*shapes, things.car(AHEAD, (steer_L, steer_R))),
-        readouts=(Readout("gap", "the lines miss each other by", miss, "m", 2),),
+        readouts=(Readout("gap", "they miss each other, on the rear axle, by", miss, "m", 2),),
         goal=Goal(miss < 0.1, "Let all axle lines meet: within 10 cm."),
     )
 

@@ -15,7 +15,7 @@ const drawOutline = ([d, fill, edge, width, opacity]) => {
 };
 
 const HATCH = '<pattern id="rk-hatch" width=".1" height=".1" patternContentUnits="objectBoundingBox" '
-  + `patternTransform="rotate(45)"><path d="M0 0V.2" style="stroke:${color("error")};stroke-width:.06"/></pattern>`;
+  + `patternTransform="rotate(45)"><path d="M0 0V.2" style="stroke:${color("error")};stroke-width:.035"/></pattern>`;
 
 // Outlines, and the materials with form; they never change.
 const renderDefs = (drawings, grounds = []) => {

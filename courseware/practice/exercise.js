@@ -175,7 +175,7 @@ export class ExerciseBox {
     this.one(".rk-ladder").innerHTML = (why ? `<p>${renderSymbols(why)}${see}</p>` : "")
       + (picture && root !== undefined
         ? `<figure>${still("light")}${still("dark")}<figcaption>${PICTURED}</figcaption></figure>` : "")
-      + (opened ? `<p>${renderHint(hint, root === undefined ? words : link, here)}</p>` : "")
+      + (opened ? `<p>${renderHint(hint, root === undefined ? words : link, here, steps[0])}</p>` : "")
       + steps.slice(0, Math.max(0, opened - 1)).map(renderParagraphs).join("") + (note && `<p>${note}</p>`);
     const button = this.one(".rk-help");
     button.hidden = opened > last;

@@ -23,8 +23,10 @@ export const renderParagraphs = (text) => renderMatrices(renderSymbols(joinUnbro
 const FORMULA_LINE = /^(\[[^=]*\]|\S+) = /;
 
 // The chapter, and what its formulas give; each leads to the formula, where the chapter prints it.
-// here: the exercise is in its own chapter.
-export const renderHint = ({ chapter, formulas }, link, here) => {
+// here: the exercise is in its own chapter. Without formulas, the idea of the solution's first step.
+export const renderHint = ({ chapter, formulas }, link, here, step = "") => {
+  const [idea] = step.split("\n\n")[0].split(". ");
+  if (!formulas.length && idea) return `${renderSymbols(idea.replace(/\.$/, ""))} …`;
   const found = formulas.map(([gives, place]) => place ? link(place, renderSymbols(gives)) : renderSymbols(gives));
   return `Look ${here ? "above" : `in the chapter “${renderSymbols(chapter)}”`}`
     + `${found.length ? ` for the formulas of ${found.join("; ")}` : ""}.`;

@@ -162,12 +162,12 @@ PREDICTIONS = (
         "Both front wheels are turned by the *same* 30°. Where is the point about which the car "
         "can turn *without sliding*?",
         Buttons(
-            ("where one wheel of 30° puts it", "without end far away", "nowhere"),
+            ("where one wheel of 30° puts it", "infinitely far away", "nowhere"),
             right=centre_if_alike,
             assumptions={
                 "where one wheel of 30° puts it": "Each wheel puts it at another place: they "
                 "are 1.5 m apart.",
-                "without end far away": "The axles of the front wheels are parallel. But that of "
+                "infinitely far away": "The axles of the front wheels are parallel. But that of "
                 "the rear wheels is not.",
             },
         ),

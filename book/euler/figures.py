@@ -1038,7 +1038,7 @@ def sequence_figure() -> Figure:
                     f"other answer: {letter}",
                     Piecewise((angle, near > 1e-9), (nan, True)),
                     "rad",
-                    words={"nan": "endlessly many"},
+                    words={"nan": "infinitely many"},
                 )
                 for name, letter, angle in (
                     ("first", "α", motion.wrap(cardan[0])),

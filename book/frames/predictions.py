@@ -129,11 +129,11 @@ PREDICTIONS = (
         "From chapter 1: a hand shall be at a place that both links reach easily. How many ways "
         "can the arm's elbow bend in the plane?",
         Buttons(
-            ("one", "two", "endlessly many"),
+            ("one", "two", "infinitely many"),
             right="two",
             assumptions={
                 "one": "So it is at full stretch only.",
-                "endlessly many": "Two links in the plane: the elbow is where two circles meet.",
+                "infinitely many": "Two links in the plane: the elbow is where two circles meet.",
             },
         ),
         explanation="The two circles about shoulder and hand meet in two points.",

@@ -94,7 +94,7 @@ def slipping() -> str:
 PREDICTIONS = (
     Prediction(
         "part-along",
-        "From *Before you start*: a point moves at 0.2 m/s along $x$. How fast does it move along "
+        "A point moves at 0.2 m/s along $x$. How fast does it move along "
         "a line that is turned by 60° from $x$?",
         Number(
             "m/s",

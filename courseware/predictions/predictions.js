@@ -27,7 +27,7 @@ export const renderForm = ({ kind, options, units }) => `<form class="rk-guess">
     + `<button type="submit">Here</button>`
   : `<label>Your guess <input type="text" autocomplete="off" autocapitalize="off" spellcheck="false">`
     + `${units[0] ? ` ${escapeHtml(units[0])}` : ""}</label> <button type="submit">That is my guess</button>`
-}<button type="button" class="rk-skip"${kind === "ghost" ? " hidden" : ""}>Show me</button></form>${renderOptions(options ?? [])}`
+}<button type="button" class="rk-skip">Show me</button></form>${renderOptions(options ?? [])}`
   + `<p class="rk-said" role="status" tabindex="-1"></p>`;
 
 const describeGuess = ({ kind, options, labels, units }, guess) => kind === "buttons" ? options[guess]
@@ -118,12 +118,11 @@ class PredictionBox {
   place(guess) {
     const { data } = this, offs = offsets(data, guess, data.right), far = Math.hypot(...offs);
     if (this.answered || offs.every((off) => Math.abs(off) <= data.near)) return this.take(guess);
-    const trend = this.one(".rk-skip").hidden || far === this.far ? "" : far < this.far ? "Warmer: " : "Colder: ";
+    const trend = this.tries < TRIES || far === this.far ? "" : far < this.far ? "Warmer: " : "Colder: ";
     Object.assign(this, { tried: guess, far, tries: this.tries + 1 });
     const helps = this.tries >= TRIES, miss = `${trend}${describeMiss(data, offs, helps)}.`;
     this.say(miss[0].toUpperCase() + miss.slice(1));
     this.sayAssumption(guess);
-    if (helps) this.one(".rk-skip").hidden = false;
   }
 
   take(guess) {
@@ -174,7 +173,6 @@ class PredictionBox {
   show(answered, guess) {
     const { data, buttons, fold } = this;
     Object.assign(this, { answered, taken: guess, tries: 0, tried: null });
-    this.one(".rk-skip").hidden = data.kind === "ghost";
     this.element.classList.toggle("rk-answered", answered);
     fold.open = answered;
     buttons.forEach((button, k) => {

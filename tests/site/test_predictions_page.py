@@ -232,7 +232,6 @@ def test_nothing_is_judged_before_it_is_moved(page):
     for _ in range(4):
         card(page, GHOST).locator("form button", has_text="Here").click()
         assert said(page, GHOST).inner_text() == "Move your guess first."
-    assert card(page, GHOST).locator(".rk-skip").is_hidden()
 
 
 def test_a_wrong_place_is_answered_with_its_way_and_tried_again(page):
@@ -245,10 +244,9 @@ def test_a_wrong_place_is_answered_with_its_way_and_tried_again(page):
     assert page.evaluate("() => localStorage.getItem('robokin guesses')") in (None, "{}")
 
 
-def test_after_three_tries_it_is_warmer_or_colder_and_can_be_shown(page):
+def test_after_three_tries_it_is_warmer_or_colder(page):
     skip, (x, y) = card(page, GHOST).locator(".rk-skip"), THERE
     for words in (*["Too far to the right."] * 2, "10 cm too far to the right."):
-        assert skip.is_hidden()
         assert place_wrongly(page, guess_x=x + 0.1, guess_y=y) == words
     assert place_wrongly(page, guess_x=x, guess_y=y + 0.05) == "Warmer: 5 cm too far up."
     assert place_wrongly(page, guess_x=x, guess_y=y + 0.07) == "Colder: 7 cm too far up."

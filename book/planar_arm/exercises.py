@@ -466,7 +466,8 @@ planar_arm_4 = Exercise(
     title="Pushing and twisting",
     text=ARM + "The hand pushes on a workpiece with the force f_x = {f_x}, f_y = {f_y} and twists "
     "it with the moment m = {m}. Nothing moves, and the arm lies flat on a table, so that its "
-    "weight does not matter. Which torques must the three joints give?",
+    "weight does not matter. Which torques must the three joints give? (How a force goes to the "
+    "joints: *A glance further*, at the end of the chapter.)",
     given=POSE | {"f_x": FORCE, "f_y": FORCE, "m": one_of(-4, -3, -2, 2, 3, 4, unit="N·m")},
     unknowns=tuple(Unknown(f"τ_{i}", "N·m") for i in (1, 2, 3)),
     right=partial(torques, None),

@@ -107,7 +107,7 @@ LOOKS = {
 }  # fmt: skip
 
 half, third = Rational(1, 2), Rational(1, 3)
-J1 = Matrix([[0, -1, -l], [sqrt(3) / 2, half, -l], [-sqrt(3) / 2, half, -l]])
+J1 = Matrix([[0, -1, -l], [sqrt(3) / 2, half, -l], [-(sqrt(3) / 2), half, -l]])
 J1_inverse = Matrix(
     [
         [0, sqrt(3) / 3, -sqrt(3) / 3],
@@ -192,7 +192,7 @@ with as_written():
             [
                 -v_y - l * omega,
                 sqrt(3) / 2 * v + v_y / 2 - l * omega,
-                -sqrt(3) / 2 * v + v_y / 2 - l * omega,
+                -(sqrt(3) / 2 * v) + v_y / 2 - l * omega,
             ]
         ),
         textbook=MatMul(J1, Matrix([v, v_y, omega])),
@@ -205,7 +205,7 @@ with as_written():
             [
                 (-v_y - l * omega) / r,
                 (sqrt(3) / 2 * v + v_y / 2 - l * omega) / r,
-                (-sqrt(3) / 2 * v + v_y / 2 - l * omega) / r,
+                (-(sqrt(3) / 2 * v) + v_y / 2 - l * omega) / r,
             ]
         ),
     )
@@ -228,7 +228,7 @@ with as_written():
     omni_determinant = Equation(
         name="wheels.omni_determinant",
         left=determinant,
-        right=-3 * sqrt(3) / 2 * l * cos(beta),
+        right=-(3 * sqrt(3) / 2 * l * cos(beta)),
     )
 
     mecanum_slip = Equation(

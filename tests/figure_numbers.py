@@ -183,13 +183,14 @@ def readout_text(readout, value):
         return word
     number = float(value) / figure_unit(readout.unit).factor
     text = rounded(number, readout.digits) if readout.digits >= 0 else by_power(number)
-    return text + "°" if readout.unit == "rad" else f"{text} {readout.unit}".rstrip()
+    glued = {"rad": "°", "%": "%"}  # these stand at the number, without a space
+    return text + glued.get(readout.unit, f" {readout.unit}".rstrip())
 
 
 def readout_texts(readout, value):
     """Return all texts that it may have: half way between two the last digit decides."""
     size = abs(value) if readout.digits < 0 else 1
-    return {readout_text(readout, value + d * size) for d in (-ALLOWED, ALLOWED)}
+    return {readout_text(readout, value + d * size) for d in (-ALLOWED, 0, ALLOWED)}
 
 
 def loops(figure):

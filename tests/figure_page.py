@@ -105,16 +105,29 @@ class OnPage:
         place = self.figure.controls.index(control)
         return self.root.locator(f"[data-i='{place}']:not(button, [type=radio]:not(:checked))")
 
+    def is_shown(self, control):
+        """Return whether a control is there: some are only while they act."""
+        place = self.figure.controls.index(control)
+        return self.root.locator(f".rk-controls [data-i='{place}']").first.is_visible()
+
     def choose(self, control, option):
         """Choose an option of a list or of a row of buttons."""
-        place = self.figure.controls.index(control)
         if len(control.options) > 4:
             return self.input(control).select_option(option)
-        buttons = self.root.locator(f"[data-i='{place}']")
-        return buttons.nth([*control.options].index(option)).check()
+        return self.buttons(control).nth([*control.options].index(option)).check()
+
+    def buttons(self, control):
+        return self.root.locator(f"[data-i='{self.figure.controls.index(control)}'][type=radio]")
 
     def press(self, control, *keys):
-        """Press keys on a slider that has the focus; of turns, buttons, each to its end."""
+        """Press keys on a slider that has the focus; of turns, buttons, each to its end.
+
+        A row of buttons has no End: there its last button is chosen, at Home its first.
+        """
+        if isinstance(control, Choice) and self.buttons(control).count():
+            for one in keys:
+                self.choose(control, [*control.options][0 if one == "Home" else -1])
+            return
         if isinstance(control, QuarterTurns):
             for one in keys:
                 self.root.locator(f"[data-press='{one if one in LETTERS else 'Z'}']").click()

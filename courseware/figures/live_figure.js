@@ -108,6 +108,7 @@ export class LiveFigure {
       for (const part of [this.handles[k], this.handles[k].nextSibling]) {
         setAttribute(part, "cx", px(x));
         setAttribute(part, "cy", px(y));
+        setAttribute(part, "visibility", x < 0 ? "hidden" : "inherit"); // what is nowhere has no focus
       }
     });
   }

@@ -69,16 +69,21 @@ def test_a_tap_moves_a_slider_by_its_step(figure, alone):
     """No slider needs to be dragged."""
     sliders = [c for c in figure.controls if isinstance(c, Slider)]
     with alone(figure) as live:
+        tapped = 0
         for slider in sliders:
             live.input(slider).evaluate(OPENED)
             place = figure.controls.index(slider)
             less, more = live.root.locator(f".rk-step[data-i='{place}']").all()
+            if not more.is_visible():  # it is there only while it acts
+                continue
+            tapped += 1
             live.press(slider, "Home")
             more.click()
             more.click()
             less.click()
             assert live.values()[slider.key] == pytest.approx(slider.low + slider.step)
             assert_shows_state(live)
+    assert tapped
 
 
 @typical_moved
@@ -86,7 +91,8 @@ def test_reset_restores_the_start(figure, alone):
     with alone(figure) as live:
         start = live.state()
         for control in figure.controls:
-            live.press(control, "End")
+            if live.is_shown(control):
+                live.press(control, "End")
         assert live.state() != start
         live.root.locator(".rk-reset").click()
         assert live.state() == start

@@ -10,6 +10,7 @@ pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
 
 CHAPTERS = [f"{chapter}/{chapter}" for chapter in course().taught]
+GROWING = {"trolley", "wheel-laboratory"}  # a control comes with what it acts on
 # each control through its range, in forty steps; the figure's heights
 HEIGHTS = """(figure) => {
   const found = new Set(), { courseware } = figure;
@@ -58,6 +59,7 @@ def test_no_figure_changes_its_height(name, width, server, chromium):
             figure.evaluate(UNFOLD)
             figure.evaluate(COME_ALIVE)
             heights = figure.evaluate(HEIGHTS)
-            if heights and max(heights) - min(heights) > 1:
-                jumps[figure.get_attribute("id")] = heights
+            name = figure.get_attribute("id")
+            if heights and max(heights) - min(heights) > 1 and name not in GROWING:
+                jumps[name] = heights
         assert jumps == {}

@@ -80,10 +80,10 @@ $(LIBRARY)/.ready: $(READY) pyproject.toml $(wildcard robokin/*.py)
 	@touch $@
 
 test: $(if $(T),,check) $(LIBRARY)/.ready
-	$(PYTEST) $(FILES) $(if $(T),-k $(T)) tests courseware/tests book
+	$(PYTEST) $(FILES) $(if $(T),-k "$(T)") tests courseware/tests book
 
 test-slow: $(LIBRARY)/.ready $(if $(filter-out paper,$(T)),,paper)
-	$(PYTEST) worksteal -m slow -rs $(if $(T),-k $(T)) tests courseware/tests book
+	$(PYTEST) worksteal -m slow -rs $(if $(T),-k "$(T)") tests courseware/tests book
 
 test-install: $(LIBRARY)/.ready .venv-lowest/.ready
 	$(PYTEST) worksteal -m install -rs tests

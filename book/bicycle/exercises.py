@@ -71,7 +71,8 @@ front_speed_used = Mistake(
     line="omega = v_front * np.tan(phi) / L",
     why="The formula v tan φ/L holds for the speed v of the rear axle. The front axle is faster, "
     "v_F = v/cos φ. For its speed the formula is v_F sin φ/L.",
-    unnoticed="Straight ahead, and at rest. For small steering angles it is hard to see: 1.5 % at 10°.",
+    unnoticed="Straight ahead, and at rest. For small steering angles it is hard to see: 1.5 % "
+    "at 10°.",
     title="It turns too fast",
     picture="The car drives on its circle. Its program believes it on a smaller one.",
     document="004 Ans 1",
@@ -360,7 +361,7 @@ bicycle_4 = Exercise(
     + MIDDLE
     + "By which angle α_R must the right front wheel of the car then be turned to the left, so "
     "that no wheel slips?",
-    given={"alpha_L": number_range(18, 44, 1, "°"), "phi": number_range(16, 40, 1, "°")},
+    given={"alpha_L": number_range(18, 48, 1, "°"), "phi": number_range(16, 44, 1, "°")},
     unknowns=(Unknown("α_R", "rad", circle=True, tolerance=FINE),),
     right=lambda alpha_L, phi: bicycle.ackermann(phi, 1.0, other_track(alpha_L, phi))[1],
     wrong={mean_angle: lambda alpha_L, phi: 2 * phi - alpha_L},
@@ -574,14 +575,13 @@ def circle_and_lane(L, b, phi):
 
 
 with as_written():
-    G_L, G_R = sp.symbols("g_L g_R")
     ALPHA, B = formulas.alpha, formulas.track
     LEVERS = LocalEquation(
-        sp.Matrix([G_L, G_R]),
+        sp.Matrix([formulas.lever_L, formulas.lever_R]),
         sp.Matrix([L * cos(ALPHA) + B / 2 * sin(ALPHA), L * cos(ALPHA) - B / 2 * sin(ALPHA)]),
         "m",
     )
-    LEAST = LocalEquation(R, (G_L**2 + G_R**2) / (G_L * sin(ALPHA) + G_R * sin(ALPHA)))
+    LEAST_RADIUS = LocalEquation(R, 1 / formulas.kappa, "m")
     OUTER, CIRCLE, STEPS, ERROR, WANTED, AHEAD = sp.symbols("R_outer D N e w l")
     OUTER_CIRCLE = LocalEquation(OUTER, sp.sqrt((R + B / 2) ** 2 + L**2), "m")
     CIRCLE_AND_LANE = LocalEquation(
@@ -613,13 +613,13 @@ bicycle_8 = Exercise(
         "for the left wheel alone": lambda alpha, L, b: L / np.tan(alpha) + b / 2,
     },
     solution=Solution(
-        "For each metre of the rear axle the cart turns by 1/R. A front tyre slides by the sine of "
-        "its angle, less its lever times 1/R. The levers are\n\n{levers}\n\n"
-        "The sum of the squares is a parabola in 1/R. Its lowest point is where the derivative is "
-        "zero. So R is the sum of the squares of the levers, divided by the sum of the levers "
-        "times the sine:\n\n{least}",
+        "As in step 1: for each metre of the rear axle the cart turns by κ, and a front tyre "
+        "slides by the sine of its angle, less its lever times κ. The levers are\n\n{levers}\n\n"
+        "The sum of the squares is a parabola in κ. It is least at\n\n{least}\n\n"
+        "The point is one over κ away:\n\n{radius}",
         levers=Step(LEVERS, {ALPHA: "alpha", L: "L", B: "b"}),
-        least=Step(LEAST, {ALPHA: "alpha"}),
+        least=Step(formulas.least_scrub, {formulas.alpha_L: "alpha", formulas.alpha_R: "alpha"}),
+        radius=Step(LEAST_RADIUS),
     ),
 )
 
@@ -667,9 +667,9 @@ bicycle_10 = Exercise(
     title="How many steps?",
     text="A program computes a drive in equal straight steps, each along the heading at its start. "
     "With {n} steps the end of the drive is off by {error}. In how many steps must it go so that "
-    "the end is off by {wanted}? Take the error as exactly of its order.",
+    "the end is off by {wanted}? Assume that the error is in proportion to the step.",
     given={
-        "n": one_of(20, 25, 30, 40, 50),
+        "n": one_of(*range(10, 65, 5)),
         "error": one_of(9, 16, 18, 25, 27, 32, 36, 48, 49, 50, 64, 72, 75, unit="cm"),
         "wanted": one_of(1, 2, 3, unit="cm"),
     },

@@ -316,7 +316,10 @@ def gap_figure() -> Figure:
         ),
         name="narrow-gap",
         title="The car beside a narrow gap at the kerb, and where two arcs backwards take it",
-        marks=(Length("length", (NARROW[0], -0.4), (NARROW[1], -0.4), "6.2 m"),),
+        marks=(
+            Length("length", (NARROW[0], -0.25), (NARROW[1], -0.25), ""),
+            Label("text", (sum(NARROW) / 2, -0.52), "6.2 m"),
+        ),
     )
 
 
@@ -453,8 +456,8 @@ def axles_figure() -> Figure:
         ),
         shapes=(*slides, Point("icr", (-R, 0), "turns here")),
         readouts=(
-            Readout(slide_L, "left tyre slides, each metre"),
-            Readout(slide_R, "right tyre slides, each metre"),
+            Readout("left_slide", "left tyre slides, each metre", slide_L, "cm", 1),
+            Readout("right_slide", "right tyre slides, each metre", slide_R, "cm", 1),
             Readout(R, "turns about, to the left", digits=2, words=STRAIGHT),
         ),
         goal=Goal(
@@ -482,7 +485,7 @@ def circles_figure() -> Figure:
         readouts=(Readout(alpha_L), Readout(alpha_R), Readout(R)),
         goal=Goal(
             And(Abs(R) < 3.3, Abs(R) > 3.2),
-            "Bring the ICR to 1.3 wheelbases from P: within 5 cm.",
+            "Bring the ICR to 1.3 wheelbases, 3.25 m, from P: within 5 cm.",
         ),
     )
 
@@ -651,7 +654,7 @@ def trapezoid_figure() -> Figure:
         view=(-1.45, 1.45, -1.75, 0.75),
         ground="paper",
         controls=(
-            Slider.degrees(alpha_L, 0, 40, start=30, label="inner wheel α_L"),
+            Slider.degrees(alpha_L, 0, 40, start=0, label="inner wheel α_L"),
             Slider.degrees(arm_angle, 10, 25, start=12, step=0.5, label="arms point inwards by γ"),
         ),
         where=((arm, ARM), (track, B), (wheelbase, L), *bicycle.trapezoid.where,
@@ -659,20 +662,21 @@ def trapezoid_figure() -> Figure:
                (wanted, atan2(L * sin(alpha_L), L * cos(alpha_L) + B * sin(alpha_L))),
                (off, alpha_R - wanted)),
         shapes=(
-            Line("path", (left, right)),
+            Line("body", (left, right)),
             *(
                 things.wheel((*hub, UP + alpha), 0.66, 0.24, f"{kind}2")
                 for hub, alpha, kind in hubs
             ),
             *(things.rod((*hub, angle), ARM) for hub, angle in arms),
-            Line("body", tuple(ends)),
+            Line("path", tuple(ends)),
+            Line("ghost", (ends[0], right)),
             Line("ghost", (left, point_of((*left, back), 0.62))),
             Line("length", (left, grip)),
             AngleArc(arm_angle, left, back, back + arm_angle, 0.55),
             Length(arm, left, ends[0], aside=-0.3),
-            Length(rod_x, ends[0], (B / 2, ends[0][1]), aside=-0.3),
+            Length(rod_x, ends[0], (B / 2, ends[0][1]), aside=-0.33),
             Length(rod_y, (B / 2, ends[0][1]), right, aside=-0.5),
-            Label("text", ((ends[0][0] + ends[1][0]) / 2, ends[0][1] + 0.08), "tie rod"),
+            Label("text", ((ends[0][0] + ends[1][0]) / 2, ends[0][1] - 0.11), "tie rod"),
             *(Line(kind, (hub, point_of((*hub, UP + alpha), 0.6))) for hub, alpha, kind in hubs),
             Line("ghost", (right, point_of((*right, UP + wanted), 0.75))),
             AngleArc("error", right, UP + wanted, UP + alpha_R, 0.62),
@@ -680,7 +684,7 @@ def trapezoid_figure() -> Figure:
                 "inner wheel", "outer wheel off by", {k * DEGREE: f"{k}°" for k in (0, 40)},
                 {k * DEGREE: f"{k}°" for k in (0, 2, 4)},
             ),
-            Curve("approximation", graph.place((s, off_ackermann(s))), s, 0.001, 40 * DEGREE),
+            Curve("approximation", graph.place((s, off_ackermann(s))), s, 0, alpha_L),
             Point("error", graph.place((alpha_L, off))),
         ),
         handles=(
@@ -765,7 +769,7 @@ def long_car(pose: Any, steered: Any, rolled: Any = 0, look: str = "") -> Any:
 
 def steps_figure() -> Figure:
     """Draw the drive of O in n straight steps: errors of one step, slope 2, and of all, slope 1."""
-    graph = Graph((3.4, 14.2, 0.2, 8.6), (0.1, 10), (1e-3, 10), ("step in s", "error in m"))
+    graph = Graph((5.6, 11.6, -1.4, 10.6), (0.1, 10), (1e-3, 10), ("step in s", "error in m"))
     exact, step = along(START, THIRTY, PACE * DURATION, LENGTH), DURATION / n
     rate, speed = PACE / LENGTH * tan(THIRTY), PACE / cos(THIRTY)
     state, ends = symbols("x_k y_k theta_k"), symbols("x_n y_n theta_n")
@@ -790,7 +794,7 @@ def steps_figure() -> Figure:
     return Figure(
         name="bicycle-steps",
         title="A long vehicle on its arc, the same drive in straight steps, and both errors",
-        view=(-8.8, 17.6, -3.4, 11.4),
+        view=(-8.8, 12.8, -4.0, 12.2),
         ground="paper",
         controls=(Slider(n, 1, 40, start=10, step=1, label="number of steps"),),
         shapes=(
@@ -829,14 +833,14 @@ def conventions_figure() -> Figure:
     return Figure(
         name="conventions",
         title="The long vehicle in a turn, its pose told from the rear or from the front axle",
-        view=(-17.5, 11, -2.2, 13.6),
+        view=(-15.5, 11, -2.2, 15.8),
         ground="asphalt",
         controls=(
             Choice.one_hot(
                 "told", (rear_way, front_way),
                 ("P, θ from x", "O, ψ from y"), label="pose given by",
             ),
-            Clock(t, 0.0, 6.0, start=2.0, label="time, at 2 m/s"),
+            Clock(t, 0.0, 4.0, start=2.0, label="time, at 2 m/s"),
         ),
         shapes=(
             Arrow("x_axis", (0, 0), (4, 0), "x"),
@@ -989,6 +993,7 @@ def lab_figure() -> Figure:
         name="car-laboratory",
         title="A street from above with two kerbs, and a car or a long vehicle that turns in it",
         view=(-16.5, 7.0, -3.4, 11.8),
+        contain=((-10, -2), (2, 9), *(point_of(now, forward * long) for forward in (-0.4, 1.4))),
         ground="asphalt",
         size="laboratory",
         controls=(
@@ -1026,7 +1031,6 @@ def lab_figure() -> Figure:
                 f"Turn the long vehicle by 90°, within 3°, in a lane of {LANE:.0f} m.",
             ),
         ),
-        follow=now,
     )  # fmt: skip
 
 
@@ -1067,6 +1071,7 @@ def corner_figure() -> Figure:
             things.kerb((half + 9, STREET, pi), 40, 3, pavement=9),
             Curve("left", point_of(way, 0, SIDE), s, 0, quarter),
             Curve("right", point_of(way, NOSE, -SIDE), s, 0, quarter),
+            Length("length", (0, -before), (0, 0), "", aside=-1.8),
             long_car(now, Piecewise((steering, And(parts > 1, parts < 2)), (0, True))),
             *when(cut > 0, Point("error", curb, "side over the kerb")),
             *when(over > 0, Point("error", (-R, outer - before), "front over the kerb")),

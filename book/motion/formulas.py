@@ -11,7 +11,9 @@ quantity, symbol = declarations(__name__)
 x = quantity("x", "m", -2, 2, "position of the robot in the world")
 y = quantity("y", "m", -2, 2, "position of the robot in the world")
 theta = quantity("theta", "rad", -3.14, 3.14, "heading: from the world's x axis to the robot's")
-v = quantity("v", "m/s", -1, 1, "speed: of a robot, along its own x axis; of a point, along its way")
+v = quantity(
+    "v", "m/s", -1, 1, "speed: of a robot, along its own x axis; of a point, along its way"
+)
 v_y = quantity("v_y", "m/s", -1, 1, "speed of the robot along its own y axis, to the left")
 omega = quantity("omega", "rad/s", -6, 6, "angular velocity: counter-clockwise")
 dt = quantity("dt", "s", 0, 1, "time: how long a step takes", latex=r"\Delta t")

@@ -105,18 +105,13 @@ LIDAR = (
 )
 
 
-def vacuum(
-    pose: Any, rolled: Any = (0, 0), look: str = "", half: float = 0.122, spin: Any = 0
-) -> Sprite:
-    """Return the vacuum robot at a pose.
-
-    half: the distance of each wheel; spin: the angle of its lidar; its brush turns six times.
-    """
+def vacuum(pose: Any, rolled: Any = (0, 0), look: str = "", half: float = 0.122) -> Sprite:
+    """Return the vacuum robot at a pose; half: the distance of each wheel from the middle."""
     sides = list(zip((half, -half), LEFT_RIGHT, rolled, strict=True))
     wells = [Outline(box(0.124, 0.05, 0, y, 0.012), "well", "shell_dark", 0.002) for y, *_ in sides]
     wheels = [wheel((0, y, 0), 0.11, 0.034, stripe, roll) for y, stripe, roll in sides]
-    brush = Sprite((0.115, -0.125, -6 * spin), BRUSH, silhouette="")
-    lidar = Sprite((0.045, 0, spin), LIDAR, silhouette="")
+    brush = Sprite((0.115, -0.125, 0), BRUSH, silhouette="")
+    lidar = Sprite((0.045, 0, 0), LIDAR, silhouette="")
     parts = (brush, *LID, *wells, *wheels, *BUTTONS, lidar, _sheen(pose[2], 0.085, -0.05, 0.06))
     return Sprite(pose, parts, height=0.02, look=look, silhouette=disc(0.172))
 
@@ -199,13 +194,10 @@ def platform(
     angles: Sequence[Any] = (),
     lengths: Sequence[float] = (0.3, 0.4, 0.2),
     opening: Any = 1,
-    rolled: Any = 0,
     look: str = "",
 ) -> Sprite:
     """Return a platform of 40 by 30 cm on four wheels, and with angles an arm on it."""
-    wheels = [
-        wheel((x, y, 0), 0.13, 0.045, "", rolled) for x in (-0.12, 0.12) for y in (-0.152, 0.152)
-    ]
+    wheels = [wheel((x, y, 0), 0.13, 0.045, "") for x in (-0.12, 0.12) for y in (-0.152, 0.152)]
     on_top = (arm((0, 0, 0), angles, lengths, opening=opening),) if len(angles) else ()
     bolts = "".join(disc(0.008, x, y) for x in (-0.16, 0.16) for y in (-0.1, 0.1))
     parts = (

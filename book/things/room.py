@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from math import ceil, floor
 from typing import Any
 
-from book.things.outlines import Point, box, curves, disc, line, polygon
+from book.things.outlines import box, curves, disc, line, polygon
 from courseware.figures import Outline, Sprite
 
 
@@ -185,22 +185,10 @@ def tiled_room(room: tuple[float, float, float, float], tile: float = 0.25) -> t
     )
 
 
-def walls(
-    room: tuple[float, float, float, float],
-    thick: float = 0.12,
-    doors: Sequence[tuple[Point, Point]] = (),
-) -> Sprite:
-    """Return the walls round a room (x_low, x_high, y_low, y_high), from above.
-
-    doors: gaps in them, each from one corner to the opposite one.
-    """
+def walls(room: tuple[float, float, float, float]) -> Sprite:
+    """Return the walls round a room (x_low, x_high, y_low, y_high), from above."""
     x, X, y, Y = room
     inside = polygon(((x, y), (x, Y), (X, Y), (X, y)))
-    t = thick
+    t = 0.12
     whole = polygon(((x - t, y - t), (X + t, y - t), (X + t, Y + t), (x - t, Y + t))) + inside
-    gaps = [
-        box(abs(b[0] - a[0]) + 0.02, abs(b[1] - a[1]) + 0.02, (a[0] + b[0]) / 2, (a[1] + b[1]) / 2)
-        for a, b in doors
-    ]
-    parts = (Outline(whole, "wall_top", "edge"), *(Outline(gap, "floor") for gap in gaps))
-    return Sprite((0, 0, 0), parts, height=0.05)
+    return Sprite((0, 0, 0), (Outline(whole, "wall_top", "edge"),), height=0.05)

@@ -202,20 +202,18 @@ def bus(
     return Sprite(pose, parts, height=0.25, look=look, silhouette=body)
 
 
-def bicycle_wheel(
-    place: Any, steering: Any = 0, rolled: Any = 0, stripe: str = "velocity2", look: str = ""
-) -> Sprite:
+def bicycle_wheel(place: Any, steering: Any = 0, stripe: str = "velocity2") -> Sprite:
     """Return the one front wheel that replaces two, in its fork, from above."""
     sides = [line((0, 0.13 * side), (0.24, 0.13 * side), (0.36, 0.07 * side)) for side in (1, -1)]
     axle, crown = box(0.07, 0.36, corner=0.03), box(0.09, 0.2, 0.37, 0, 0.04)
     fork = (
-        wheel((0, 0, 0), 0.66, 0.18, stripe, rolled, 0.08),
+        wheel((0, 0, 0), 0.66, 0.18, stripe, 0, 0.08),
         *(Outline(side, "", tone, width) for side in sides for tone, width in LIMB),
         Outline(axle, "steel", "edge"),
         Outline(crown, "steel", "edge"),
     )
     turning = Sprite((0, 0, steering), fork, 0.08, silhouette=axle + crown)
-    return Sprite(place, (turning,), 0.08, look, silhouette="")
+    return Sprite(place, (turning,), 0.08, silhouette="")
 
 
 def rod(place: Any, long: float, thick: float = 0.05) -> Sprite:

@@ -37,13 +37,13 @@ MOVING = {
     "robot": lambda **k: things.robot(pose, (x, -x), **k),
     "pad": lambda **k: things.pad(pose),
     "pad_lights": lambda **k: things.pad_lights(pose),
-    "vacuum": lambda **k: things.vacuum(pose, (x, x), spin=x, **k),
+    "vacuum": lambda **k: things.vacuum(pose, (x, x), **k),
     "dock": lambda **k: things.dock(pose),
     "omni_robot": lambda **k: things.omni_robot(pose, (x, x, x), beta=x, **k),
-    "platform": lambda **k: things.platform(pose, (x, x, x), rolled=x, **k),
+    "platform": lambda **k: things.platform(pose, (x, x, x), **k),
     "car": lambda **k: things.car(pose, (x, x), x, **k),
     "bus": lambda **k: things.bus(pose, (x, x), x, **k),
-    "bicycle_wheel": lambda **k: things.bicycle_wheel(pose, x, x, **k),
+    "bicycle_wheel": lambda **k: things.bicycle_wheel(pose, x),
     "trolley": lambda **k: things.trolley(pose, (x, x, x, x), **k),
     "arm": lambda **k: things.arm(pose, (x, x, x, x), (0.4, 0.3, 0.2, 0.1), opening=x, **k),
     "ceiling_camera": lambda **k: things.ceiling_camera(pose, x),
@@ -59,7 +59,7 @@ MOVING = {
     "shelf": lambda **k: things.shelf(pose),
     "tiled_room": lambda **k: Sprite(pose, things.tiled_room((0, 1, 0, 1)), silhouette=""),
     "rod": lambda **k: things.rod(pose, 0.4),
-    "walls": lambda **k: things.walls((0, 2, 0, 1), doors=[((0.5, -0.2), (1, 0))]),
+    "walls": lambda **k: things.walls((0, 2, 0, 1)),
 }
 LOOKING = ("robot", "vacuum", "omni_robot", "platform", "car", "bus", "trolley", "arm", "parcel")
 

@@ -40,7 +40,9 @@ def undeclared(chapter, tex):
 def test_every_printed_symbol_is_declared(chapter):
     """So it is on the notation page, with its meaning."""
     missing = {letter: tex for tex in printed_tex(chapter) for letter in undeclared(chapter, tex)}
-    assert not missing, f"declare in formulas.py of {chapter}, as `quantity` or `symbol`: {missing}"
+    assert not missing, (
+        f"correct the text, or declare in formulas.py of {chapter}, as `quantity` or `symbol`: {missing}"
+    )
 
 
 @each_chapter

@@ -41,8 +41,7 @@ class Unknown:
     @property
     def decimals(self) -> int:
         """The number of decimals that is always enough: half of the last is within tolerance."""
-        is_whole = self.tolerance < 1e-6
-        return 0 if is_whole else math.ceil(-math.log10(2 * self.tolerance))
+        return 0 if self.tolerance < 1e-6 else math.ceil(-math.log10(2 * self.tolerance))
 
 
 def angle(label: str) -> Unknown:

@@ -83,7 +83,7 @@ def find_answers(
     unknown, right = exercise.unknowns[place], row[place]
     allowed = unknown.allowed(right)
     for turn in (0, -2 * math.pi, 2 * math.pi) if unknown.circle else (0,):
-        yield True, _number(right + turn), allowed, RIGHT
+        yield True, f"{right + turn:.9f}", allowed, RIGHT
     wrong = [*_wrong_values(exercise, variant, place), *_values_in_other_units(unknown, right)]
     if len(exercise.unknowns) > 1:
         wrong += _slips(exercise, right, place, wrong)
@@ -92,9 +92,10 @@ def find_answers(
         if value not in known and distance(unknown, value, right) > allowed + tolerance:
             known.add(value)
             alike = [f for x, t, f in wrong if distance(unknown, value, x) <= tolerance + t]
-            yield False, _number(value), tolerance, _join_feedback(alike)
+            words = render_symbols(" Or: ".join(dict.fromkeys(alike))).replace("&#x27;", "'")
+            yield False, f"{value:.9f}", tolerance, words
     near = judging.find_constant("NEAR") * allowed
-    yield False, _number(right), near, judging.format_feedback("near", digits="")
+    yield False, f"{right:.9f}", near, judging.format_feedback("near", digits="")
     yield False, ANYTHING, ANY_TOLERANCE, judging.format_feedback("wrong")
 
 
@@ -129,15 +130,6 @@ def _slips(
         for name, factor in FACTORS.items()
     ]
     return [s for s in slips if all(distance(unknown, s[0], x) > s[1] + t for x, t, _ in known)]
-
-
-def _join_feedback(alike: Sequence[str]) -> str:
-    """Return the feedback for an answer that one or several mistakes give."""
-    return render_symbols(" Or: ".join(dict.fromkeys(alike))).replace("&#x27;", "'")
-
-
-def _number(value: float) -> str:
-    return f"{value:.9f}"
 
 
 def is_slip(name: str) -> bool:

@@ -23,20 +23,12 @@ UNGUARD = rf"{START}'{FORMULA}"
 Write = Callable[[Sequence[object]], object]
 
 
-def guard_cell(text: str) -> str:
-    """Put ' before everything in a cell that a spreadsheet would run as a formula."""
-    return re.sub(GUARD, r"\1\2'", text)
-
-
 def refuse_existing(path: Path, force: bool) -> None:
     """Refuse a file that is already there, unless it may be overwritten."""
     if path.is_dir():
         raise CourseError(f"{path} is a folder: give the name of a file")
     if path.exists() and not force:
-        raise CourseError(
-            f"{path} is already there: choose another name, or overwrite it "
-            "(--force; in Python, force=True)"
-        )
+        raise CourseError(f"{path} is already there; overwrite it by --force (Python: force=True)")
     if not path.parent.is_dir():
         raise CourseError(f"there is no folder {path.parent} to write {path.name} in")
 
@@ -61,7 +53,7 @@ def open_table(path: str | Path, columns: Sequence[str], force: bool = False) ->
     with open_file(path, force, "utf-8-sig") as file:
         writer = csv.writer(file)
         writer.writerow(columns)
-        yield lambda row: writer.writerow([guard_cell(str(cell)) for cell in row])
+        yield lambda row: writer.writerow([re.sub(GUARD, r"\1\2'", str(cell)) for cell in row])
 
 
 def write_table(

@@ -21,7 +21,6 @@ TOTALS = ("student", *RESULTS)
 ENDINGS = ("-students.csv", "-problems.csv")  # of files beside the grades
 MOST_SHOWN = 12  # mistakes
 NOTHING = Answer("", NEVER, Path(), 0)
-MISSING = judging.Verdict("missing", "", "")
 
 
 class Graded(NamedTuple):
@@ -58,16 +57,15 @@ def grade(answers: Sequence[Path], key: Path, out: Path, force: bool) -> tuple[l
 def _account(found: Collected) -> list[str]:
     """Say whose answers were found, and whose were not."""
     key, asked = found.key, {name for _, name in found.key.rows}
+    heard = {student for student, _ in found.answers}
     lines = [
         f"the key: students: {len(key.students):,}; exercises: {len(asked)}; "
         f"course {key.course}, version {key.version}",
         f"answers that count: {len(found.answers):,}; students: "
-        f"{len(key.students) - len(found.silent):,}; files: {len(found.files):,}",
+        f"{len(heard):,}; files: {len(found.files):,}",
     ]
-    if found.silent:
-        lines += [f"students without an answer: {len(found.silent):,}"]
-        lines += [f"  {name}" for name in found.silent]
-    return lines
+    silent = [f"  {name}" for student, name in key.students.items() if student not in heard]
+    return lines + ([f"students without an answer: {len(silent):,}", *silent] if silent else [])
 
 
 def _grade(collected: Collected, problems: Problems) -> list[Graded]:
@@ -89,11 +87,13 @@ def _grade_exercise(
     answers = {p: collected.answers[p] for p in rows if p in collected.answers}
     typed = [(places[rows[task]["numbers"]], each.answer) for task, each in answers.items()]
     judged = judging.judge_all(all_exercises()[name], list(variants.values()), typed)
-    verdicts = dict.fromkeys(rows, MISSING) | dict(zip(answers, judged, strict=True))
+    verdicts = dict.fromkeys(rows, judging.Verdict("missing", "", "")) | dict(
+        zip(answers, judged, strict=True)
+    )
     found = {}
     for task, v in verdicts.items():
         a, student = answers.get(task, NOTHING), rows[task]["student"]
-        judgement = v.result, v.name, v.feedback
+        judgement = v.result, v.name * (v.result != "right"), v.feedback
         found[task] = Graded(student, name, a.answer, *judgement, a.tries, a.help)
     return found
 
@@ -116,15 +116,13 @@ def _candidates(
 
 def _total(graded: Iterable[Graded]) -> Iterator[tuple[str | int, ...]]:
     """Yield each student's name and counts of results."""
-    results: dict[str, Counter[str]] = {}
-    for each in graded:
-        results.setdefault(each.student, Counter())[each.result] += 1
-    for student, count in results.items():
-        yield student, *(count[r] for r in RESULTS)
+    counts = Counter((each.student, each.result) for each in graded)
+    for student in dict.fromkeys(student for student, _ in counts):
+        yield student, *(counts[student, result] for result in RESULTS)
 
 
 def _summarize(key: Key, graded: Sequence[Graded]) -> list[str]:
-    """Return the counts of results, the most frequent mistakes, and another version of the key."""
+    """Return the counts of results, frequent mistakes, unread answers, another version."""
     counts = Counter(each.result for each in graded)
     lines = [", ".join(f"{counts[result]:,} {result}" for result in RESULTS)]
     answered = Counter(each.exercise for each in graded if each.result != "missing")
@@ -132,6 +130,9 @@ def _summarize(key: Key, graded: Sequence[Graded]) -> list[str]:
     for (exercise, mistake, comment), count in made.most_common():
         if mistake in all_mistakes() and len(lines) <= MOST_SHOWN:
             lines.append(f"{count} of {answered[exercise]}, {exercise}: {mistake}. {comment}")
+    unread = groupby((g for g in graded if g.result == "unread"), itemgetter(0))
+    listed = [f"  {student}: {', '.join(g.exercise for g in theirs)}" for student, theirs in unread]
+    lines += [f"students with unread answers: {len(listed):,}", *listed] if listed else []
     if key.version != variants.version():
         lines.append(
             f"The key is of version {key.version} of the exercises, this is {variants.version()}. "

@@ -36,11 +36,13 @@ def test_key_sheets_and_grades(folder, capsys):
     ]
     write_table("answers.csv", ("student", "exercise", "answer"), answers)
     assert run("grade", "answers.csv", "--key", "key.csv") == 0
-    assert f"1 of 3, {ONE}: M12. " in capsys.readouterr().out
+    told = capsys.readouterr().out
+    assert f"1 of 3, {ONE}: M12. " in told
+    assert "students with unread answers: 1\n  Ada: differential-drive-2\n" in told
     graded = table("grades.csv")
     found = [row["result"] for row in graded]
     assert found == ["right", "unread", "wrong", "missing", "partly", "missing"]
-    assert [row["mistake"] for row in graded] == ["right", "", "M12", "", "unit:degrees", ""]
+    assert [row["mistake"] for row in graded] == ["", "", "M12", "", "unit:degrees", ""]
     totals = table("grades-students.csv")
     assert totals[2] == dict(zip(grading.TOTALS, ["=1+1", "0", "1", "0", "0", "1"], strict=True))
     assert table("grades-problems.csv") == []
@@ -99,7 +101,7 @@ def built_class(count):
                 mine[exercise.name] = typed(chosen.rows, exercise)
                 alike = (c for c in possible if not candidates.is_apart(exercise, c, chosen))
                 meant = candidates.outcomes(exercise)
-                grades = {(meant[c.name].result, c.name) for c in alike}
+                grades = {(meant[c.name].result, c.name.removeprefix("right")) for c in alike}
             wanted[variants.fold_name(name), exercise.name] = grades
     return answers, wanted
 

@@ -27,14 +27,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except OSError as error:  # a full disk, a folder that may not be written
         print(f"{error.filename}: {error.strerror}; not finished", file=sys.stderr)
         return 2
-    print(words)
     for problem in problems:
         print(problem, file=sys.stderr)
+    print(words)
     return 1 if problems else 0
 
 
 def _run(options: argparse.Namespace) -> tuple[list[str], str]:
     """Run a command; return problems, and what to print."""
+    if options.command != "assignment":
+        print(f"{options.command}: takes up to a minute …", flush=True)
     if options.command == "grade":
         return grade(options.answers, options.key, options.out, options.force)
     written = f"written: {options.out}"

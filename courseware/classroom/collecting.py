@@ -11,17 +11,26 @@ from datetime import UTC, datetime
 from difflib import get_close_matches
 from pathlib import Path
 
+from courseware.classroom import tables
 from courseware.classroom.answer_key import Key, Task, folded
 from courseware.classroom.tables import Problems, Row, read_rows
 from courseware.errors import CourseError
+from courseware.practice.bank import all_exercises
 from courseware.practice.saving import OTHER_COLUMNS
 
 NEEDED = {"student", "exercise", "answer"}
 OF_ANOTHER_VERSION = "answers to another version of the exercises (they count)"
+NO_TIME = "times that cannot be read (such an answer counts only if none has a time)"
 SYSTEM_FILES = re.compile(  # left behind; any other hidden file may be an answer
     r"\._|~\$|(__MACOSX|\.DS_Store|\.git|\.ipynb_checkpoints|Thumbs\.db|desktop\.ini)$",
     re.IGNORECASE,
 )
+ADVICE = {  # by the end of a file's name
+    (".zip", ".7z", ".rar", ".gz"): "unpack it",
+    (".ipynb",): "ask for the file that practice.export() writes in it",
+    (".xlsx", ".xls", ".ods", ".numbers"): "ask for the original, a spreadsheet changes answers",
+    ("",): "ask for the CSV that the page saves",
+}
 NEAR = 0.8  # of 1: how much alike names are that one person may have written
 NEVER = datetime.min.replace(tzinfo=UTC)
 
@@ -50,12 +59,6 @@ class Collected:
     problems: Problems
     answers: dict[Task, Answer] = field(default_factory=dict)
     files: set[Path] = field(default_factory=set)
-
-    @property
-    def silent(self) -> list[str]:
-        """The students of the key of whom nothing was handed in."""
-        heard = {student for student, _ in self.answers}
-        return [name for student, name in self.key.students.items() if student not in heard]
 
     def read(self, path: Path) -> None:
         """Take the answers of a file; one that cannot be read does not stop the others."""
@@ -101,10 +104,12 @@ class Collected:
             words = repr(name)
             for near in get_close_matches(student, self.key.students, 1, NEAR):
                 words += f", the key has {self.key.students[near]!r}"
-            return "answers of students who are not in the key", words
+            words += f"; had the numbers of {name}: add {name} to the roster and make the key again"
+            return tables.UNKNOWN_STUDENT, words
+        if exercise not in all_exercises():
+            return tables.UNKNOWN_EXERCISE, f"there is no exercise {exercise!r}"
         if (student, exercise) not in self.key.rows:
-            words = f"{name} has no exercise {exercise!r}"
-            return "answers to exercises that are not in the student's key", words
+            return tables.NOT_ASKED, ""
         if not row["answer"]:
             return "empty answers", f"{name}, {exercise}"
         return "", ""
@@ -128,7 +133,7 @@ class Collected:
         try:
             time = datetime.fromisoformat(text) if text else NEVER
         except ValueError:
-            self.problems.note("times that cannot be read", path, line, repr(text), row)
+            self.problems.note(NO_TIME, path, line, repr(text), row)
             return NEVER
         return time if time.tzinfo else time.replace(tzinfo=UTC)
 
@@ -139,8 +144,7 @@ def collect(
     """Collect the answers in these files, and in the files of these folders and their folders."""
     found = Collected(key, problems)
     seen = {path.resolve() for path in (key.path, *leave_out)}
-    files = [file for path in paths for file in _find_tables(path, problems)]
-    for file in files:
+    for file in [file for path in paths for file in _find_tables(path, problems)]:
         if file.resolve() not in seen:
             seen.add(file.resolve())
             found.read(file)
@@ -160,5 +164,5 @@ def _find_tables(path: Path, problems: Problems) -> Iterator[Path]:
         if file.is_file() and file.suffix.lower() in (".csv", ".tsv", ".txt"):
             yield file
         elif not file.is_dir():
-            words = f"{file.suffix or 'no suffix'}: unpack archives, save spreadsheets as CSV"
+            words = next(ADVICE[ends] for ends in ADVICE if file.name.lower().endswith(ends))
             problems.note("files that are no table (.csv)", file, comment=words)

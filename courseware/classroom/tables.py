@@ -1,6 +1,7 @@
 """Tables as CSV, read whatever wrote them, and the problems that they have."""
 
 from codecs import BOM_UTF16_BE, BOM_UTF16_LE
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
@@ -10,12 +11,16 @@ from courseware.script import engine
 
 Row = dict[str, str]
 
+SAVE_OR_ASK = "save your own as CSV UTF-8, ask students for the original"
 BAD_LINES = {
     "unclosed": "lines in which a quotation mark is not closed, or does not end its cell",
-    "encoding": "lines not in UTF-8: save the file as CSV UTF-8",
+    "encoding": f"lines not in UTF-8: {SAVE_OR_ASK}",
     "long": "lines with more cells than the heading",
 }
 SHOWN = 3  # problems of a kind in a file, when they are printed
+UNKNOWN_STUDENT = "answers of students who are not in the key"
+UNKNOWN_EXERCISE = "answers to exercises that do not exist"
+NOT_ASKED = "answers to exercises that were not asked"  # their count says enough
 
 
 class Problem(NamedTuple):
@@ -30,8 +35,8 @@ class Problem(NamedTuple):
     comment: str
 
     def __str__(self) -> str:
-        place = f"{self.file}, line {self.line}" if self.line else f"{self.file}"
-        return f"{place}: {self.comment}" if self.comment else place
+        place = f"{self.file}" + f", line {self.line}" * bool(self.line)
+        return place + f": {self.comment}" * bool(self.comment)
 
 
 class Problems(list[Problem]):
@@ -45,17 +50,20 @@ class Problems(list[Problem]):
         self.append(Problem(kind, path, line or "", student, exercise, answer, comment))
 
     def lines(self) -> list[str]:
-        """Return what to print: each kind with its count, and the first of it in each file."""
-        kinds: dict[str, dict[Path, list[Problem]]] = {}
+        """Return what to print: each kind with its count, and the first comments on each file."""
+        kinds: dict[str, dict[Path, list[Problem]]] = {UNKNOWN_STUDENT: {}, UNKNOWN_EXERCISE: {}}
         for each in self:
             kinds.setdefault(each.problem, {}).setdefault(each.file, []).append(each)
         found = []
         for kind, files in kinds.items():
-            found.append(f"{kind}: {sum(map(len, files.values())):,}")
-            for path, all_here in files.items():
-                found += [f"  {each}" for each in all_here[:SHOWN]]
-                if len(all_here) > SHOWN:
-                    found.append(f"  {path}: {len(all_here) - SHOWN:,} more")
+            found += [f"{kind}: {sum(map(len, files.values())):,}"] * bool(files)
+            for path, here in files.items() if kind != NOT_ASKED else ():
+                shown = [*Counter(each.comment for each in here).items()][:SHOWN]
+                for comment, count in shown:
+                    first = next(each for each in here if each.comment == comment)
+                    found.append(f"  {first}" + f" ({count:,} lines)" * (count > 1))
+                if more := len(here) - sum(count for _, count in shown):
+                    found.append(f"  {path}: {more:,} more")
         return found
 
 
@@ -97,5 +105,5 @@ def read_text(path: Path) -> str:
     if found.startswith((BOM_UTF16_LE, BOM_UTF16_BE)):
         return found.decode("utf-16", "replace")
     if b"\0" in found[:1000]:
-        raise CourseError(f"{path} is no text: unpack an archive, save a spreadsheet as CSV UTF-8")
+        raise CourseError(f"{path} is no text: unpack an archive; of a spreadsheet, {SAVE_OR_ASK}")
     return found.decode("utf-8", "surrogateescape")

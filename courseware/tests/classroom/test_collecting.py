@@ -15,7 +15,7 @@ def test_bad_lines_are_told_and_the_good_ones_graded(folder, capsys):
     assert capsys.readouterr().err.splitlines() == [
         "students named twice: 1",
         "  roster.csv, line 3: 'Ada' is one name with 'Ada' in line 2: no second key",
-        "lines not in UTF-8: save the file as CSV UTF-8: 1",
+        "lines not in UTF-8: save your own as CSV UTF-8, ask students for the original: 1",
         "  roster.csv, line 6",
     ]
     lines = [
@@ -33,16 +33,17 @@ def test_bad_lines_are_told_and_the_good_ones_graded(folder, capsys):
     assert run("grade", "answers.csv", "--key", "key.csv") == 1
     assert capsys.readouterr().err.splitlines() == [
         "answers of students who are not in the key: 1",
-        "  answers.csv, line 3: 'Eve'",
-        "answers to exercises that are not in the student's key: 1",
-        "  answers.csv, line 4: Ada has no exercise 'differential-drive-9'",
+        "  answers.csv, line 3: 'Eve'; had the numbers of Eve: add Eve to the roster and make the "
+        "key again",
+        "answers to exercises that do not exist: 1",
+        "  answers.csv, line 4: there is no exercise 'differential-drive-9'",
         "empty answers: 1",
         f"  answers.csv, line 5: Bob, {ONE}",
         "lines with more cells than the heading: 1",
         "  answers.csv, line 6: 7 cells, the heading has 5",
         "answers of another course: 1",
         "  answers.csv, line 7: the course is 'last year', the key's is 'robokin'",
-        "times that cannot be read: 1",
+        "times that cannot be read (such an answer counts only if none has a time): 1",
         "  answers.csv, line 8: 'yesterday'",
         "answers replaced by one read later (without a time): 1",
         f"  answers.csv, line 2: Ada, {ONE}: '0,5' without a time, counts '0.6' without a time"
@@ -76,7 +77,7 @@ def test_key_roster_and_old_grades_are_no_answers(keyed, capsys):
     told_of = {row["file"]: row["comment"] for row in table("second-problems.csv")}
     assert told_of["old-key.csv"].startswith("columns course, version, student, exercise")
     assert told_of.keys() >= {f"grades-{n}.csv" for n in ("problems", "students")}
-    assert "unpack archives" in told
+    assert "answers-Bob.zip: unpack it\n" in told
     assert (keyed / "second.csv").read_bytes() == (keyed / "grades.csv").read_bytes()
 
 
@@ -104,21 +105,17 @@ def test_the_same_answer_twice_is_no_problem(keyed, capsys):
 
 
 def test_problems_are_grouped_and_all_of_them_written(keyed, capsys):
-    """Three thousand lines of last year's course are one group, and hide nothing else."""
+    """Three thousand lines of last year's course are one line, and hide nothing else."""
     lines = [f"robokin-2025,Ada,{ONE},{k}" for k in range(3000)]
     lines.insert(1500, f"robokin,Eve,{ONE},5")
     lines.append(f"robokin,Bob,{ONE},6")
     (keyed / "all.csv").write_text(f"course,{HEADING}\n" + "\n".join(lines))
     assert run("grade", "all.csv", "--key", "key.csv") == 1
-    assert capsys.readouterr().err.splitlines() == [
+    told = capsys.readouterr().err.splitlines()
+    assert told[0] == "answers of students who are not in the key: 1"
+    assert told[2:] == [
         "answers of another course: 3,000",
-        *(
-            f"  all.csv, line {line}: the course is 'robokin-2025', the key's is 'robokin'"
-            for line in (2, 3, 4)
-        ),
-        "  all.csv: 2,997 more",
-        "answers of students who are not in the key: 1",
-        "  all.csv, line 1502: 'Eve'",
+        "  all.csv, line 2: the course is 'robokin-2025', the key's is 'robokin' (3,000 lines)",
     ]
     assert Counter(row["problem"] for row in table("grades-problems.csv")).total() == 3001
 
@@ -165,7 +162,7 @@ def test_one_bad_file_does_not_stop_the_others(keyed, capsys):
         assert run("grade", "answers", "--key", "key.csv", "--out", out, *force) == 1
         told = capsys.readouterr()
         assert "empty.csv" in told.err
-        assert "sheet.xlsx: .xlsx: unpack archives, save spreadsheets as CSV" in told.err
+        assert "sheet.xlsx: ask for the original" in told.err
         assert "a quotation mark is not closed, or does not end its cell: 1" in told.err
         assert "open.csv, line 2" in told.err
         graded = {(r["student"], r["exercise"]): r["answer"] for r in table(out)}
@@ -189,12 +186,26 @@ def test_lines_that_spreadsheets_cut_short_are_whole(keyed):
     assert [row["answer"] for row in table("grades.csv") if row["answer"]] == ["7", "8"]
 
 
-def test_a_name_that_is_nearly_in_the_key_is_told(keyed, capsys):
+def test_a_name_that_is_not_in_the_key_counts_once_it_is(keyed, capsys):
     (keyed / "a.csv").write_text(saved("Adda", {ONE: "7"}) + saved("Zoe", {ONE: "7"}))
     assert run("grade", "a.csv", "--key", "key.csv") == 2
     told = capsys.readouterr().err
-    assert "line 2: 'Adda', the key has 'Ada'" in told
-    assert "line 4: 'Zoe'\n" in told
+    assert "line 2: 'Adda', the key has 'Ada'; had the numbers of Adda: add Adda to the" in told
+    assert "line 4: 'Zoe'; had the numbers of Zoe: add Zoe to the roster" in told
+    (keyed / "roster.csv").write_text("student\nAda\nAdda\n")
+    assert run("key", "roster.csv", *ONLY, "--force") == 0
+    right = table("key.csv")[2]["answer"].split(" ")[0].replace("−", "-")
+    (keyed / "a.csv").write_text(saved("Adda", {ONE: right}))
+    assert run("grade", "a.csv", "--key", "key.csv") == 0
+    assert results()["Adda", ONE] == "right"
+
+
+def test_what_was_practised_besides_homework_is_one_line(keyed, capsys):
+    others = {f"euler-{k}": "1" for k in range(1, 7)}
+    (keyed / "a.csv").write_text(saved("Ada", {ONE: "7", **others}))
+    (keyed / "b.csv").write_text(saved("Bob", others))
+    assert run("grade", "a.csv", "b.csv", "--key", "key.csv") == 1
+    assert capsys.readouterr().err == "answers to exercises that were not asked: 12\n"
 
 
 def test_every_file_with_a_problem_is_told_and_all_lines_are_written(keyed, capsys):
@@ -207,8 +218,7 @@ def test_every_file_with_a_problem_is_told_and_all_lines_are_written(keyed, caps
         (keyed / "in" / name).write_bytes(b"PK")
     assert run("grade", "in", "--key", "key.csv") == 1
     told = capsys.readouterr().err
-    assert "lines not in UTF-8: save the file as CSV UTF-8: 52\n" in told
-    assert "  in/old.csv: 49 more\n" in told
+    assert "  in/old.csv, line 2 (52 lines)\n" in told
     assert all(f"in/{name}.zip" in told for name in "abcd")
     found = table("grades-problems.csv")
     assert Counter(row["file"] for row in found)["in/old.csv"] == 52

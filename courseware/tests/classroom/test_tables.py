@@ -92,7 +92,10 @@ def test_an_answer_in_several_lines_whose_row_looks_like_a_heading(keyed):
         ("name\nAda\n", "no column student; needed are student, its first line has name"),
         ("", "no column student; needed are student, its first line has nothing"),
         ("student\n\n", "names no student"),
-        ("PK\3\4\0\0student", "is no text: unpack an archive, save a spreadsheet as CSV UTF-8"),
+        (
+            "PK\3\4\0\0student",
+            "is no text: unpack an archive; of a spreadsheet, save your own as CSV UTF-8",
+        ),
     ],
 )
 def test_a_table_that_cannot_be_used_is_refused(folder, capsys, text, words):

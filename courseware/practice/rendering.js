@@ -49,7 +49,7 @@ const renderEntries = ({ shape: [rows, columns] = [] }) => columns ? `<details c
 export const renderExercise = (exercise, shown, solution, id = exercise.name) =>
   `<div class="rk-question" id="${id}-question">`
     + `<p class="rk-exercise-title"><strong>${escapeHtml(exercise.title)}</strong>`
-    + ` <span class="rk-steps">${exercise.steps} step${exercise.steps > 1 ? "s" : ""}</span>`
+    + ` <span class="rk-steps">${exercise.steps} step${exercise.steps > 1 ? "s" : ""} · ${exercise.name}</span>`
     + ` <span class="rk-passed" hidden>passed</span></p>`
     + `<div class="rk-text">${renderParagraphs(fillTemplate(exercise.text, shown))}</div></div>`
     + `<p class="rk-training" hidden>${TRAINING} <button type="button">Back to my numbers</button></p>`

@@ -12,8 +12,9 @@ for (const field of fields) {
     memory.set(key, JSON.stringify({ ...readStored(key), [field.name]: entry })); // beside another tab's
   });
 }
-document.querySelector("button").addEventListener("click",
-  () => downloadAnswers(sheet, sheet.student, readStored(key)));
+document.querySelector("button").addEventListener("click", () => {
+  document.querySelector("output").textContent = downloadAnswers(sheet, sheet.student, readStored(key));
+});
 for (const elsewhere of ["storage", "pageshow"]) addEventListener(elsewhere, show);
 show();
 document.body.className = "live";

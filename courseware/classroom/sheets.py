@@ -23,18 +23,17 @@ body {{ font: 11pt/1.5 sans-serif; max-width: 42rem; margin: 2rem auto; padding:
 section {{ break-inside: avoid; margin: 1.2rem 0; }} h2 {{ font-size: 1rem; margin: 0; }}
 p {{ margin: .2rem 0; }} input {{ font: inherit; width: 100%; box-sizing: border-box; }}
 @media screen {{ body:not(.live) :is(.live, input), .live .still {{ display: none; }} }}
-@media print {{ .screen {{ display: none; }}
+@media print {{ .screen {{ display: none; }} label {{ display: block; margin-top: 4cm; }}
   input {{ border: 0; border-bottom: 1px solid; height: 2.4rem; }} }}
 </style></head><body data-course="{course}" data-version="{version}" data-student="{student}">
-<h1>{student}</h1><p>Course: {course}. The numbers in this sheet are yours alone. Give four
+<h1>{student}</h1><p>Course: {course}. The numbers in this sheet were drawn for you. Give four
 decimals. Where rad is asked, degrees with their sign are right too: 30°. Whole turns more or less
 do not matter in an angle.</p>
 <p class="screen still">Here this sheet can be read and printed; to type your answers and save them,
 open the file in Chrome or Edge 111, Firefox 121, Safari 16.4 or a newer one.</p>
-<p class="screen live">Answers can be 0.5, 1/3, pi/3, 30°, a list: [1, 2], or a matrix:
-[[1, 2], [3, 4]]. Nothing is checked here: what you type stays in this browser. Save it and hand in
-the file.</p>
-{exercises}<p class="screen live"><button type="button">Save my answers (CSV)</button></p>
+<p class="screen live">Answers can be 0.5, 1/3, pi/3, 30°, a list: [1, 2], or a matrix: [[1, 2],
+[3, 4]]. Nothing is checked: what you type stays in this browser. Save it and hand in the file.</p>
+{exercises}<p class="screen live"><button>Save my answers (CSV)</button> <output></output></p>
 <script>{script}</script></body></html>
 """
 

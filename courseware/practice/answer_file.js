@@ -2,6 +2,7 @@
 
 import { GUARD, OTHER_COLUMNS, UNGUARD } from "./constants.js";
 
+const NO_FILE = " If no file comes, the frame that shows this page forbids it: open the page in a tab of its own.";
 export const now = () => new Date().toISOString();
 
 // As a spreadsheet may read it: quoted, and no cell that it would take for a formula.
@@ -71,11 +72,14 @@ export const parseAnswers = (text) => {
   return rows.filter((row) => row.student && row.exercise && row.answer && !OTHER_COLUMNS.some((name) => name in row));
 };
 
+// Save the answers as a file, and return what was done, in words.
 export const downloadAnswers = (course, student, entries) => {
+  const count = Object.values(entries).filter(({ answer }) => answer).length;
+  if (!count) return "There are no answers under this name yet: nothing was saved.";
   const text = "\ufeff" + serializeAnswers(course, student, entries);
   const link = document.createElement("a");
   link.href = URL.createObjectURL(new Blob([text], { type: "text/csv" }));
   link.download = `answers-${student.replace(/[^\p{L}\p{N}]+/gu, "-").slice(0, 40)}.csv`;
   link.click();
-  return link.download;
+  return `Saved ${count} answer${count > 1 ? "s" : ""} as ${link.download}.${self === top ? "" : NO_FILE}`;
 };

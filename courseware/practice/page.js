@@ -9,15 +9,13 @@ import { memory, readStored } from "../answers/storage.js";
 import { answersKey, countPassed, isPassed, readAnswers, STUDENT_KEY, sumUp } from "./stored_answers.js";
 
 const NAMELESS = "Type your name first: it picks your numbers.";
-const describeOrphans = (count) =>
-  ` ${count} answered before you typed a name: to see them again, with their numbers, empty the name.`;
+const ORPHANS = " answered before you typed a name: to see them again, with their numbers, empty the name.";
 const NOTE = "For checking yourself. Your name picks your numbers; it and your answers stay in this "
   + "browser, nothing is sent. Give three decimals where nothing else is said. Answers can be 0.5, "
   + "1/3, pi/3, sqrt(3)/2, 30° where rad is asked, a list: [1, 2], or a matrix: [[1, 2], [3, 4]]. "
   + "Whole turns more or less do not matter in an angle. Safari forgets what it keeps after seven days "
   + "without a visit: save your answers.";
 const CLEAR = "Clear my answers";
-const NO_FILE = "If no file comes, the frame that shows this page forbids it: open the page in a tab of its own.";
 const NOTHING_KEPT = "This browser keeps nothing more: save your answers as a file before you leave.";
 
 export const renderDesk = (course) => `<div class="rk-row"><label for="rk-student">Name</label>`
@@ -150,7 +148,7 @@ class Desk {
     const orphans = this.student() ? Object.values(readAnswers(this.course, "")).filter(({ answer }) => answer).length : 0;
     const storage = memory.kept ? "" : ` ${NOTHING_KEPT}`;
     this.tell(`${done.length} of ${here.length} checks on this page passed${nameless}${storage}`
-      + (orphans ? `.${describeOrphans(orphans)}` : ""));
+      + (orphans ? `. ${orphans}${ORPHANS}` : ""));
     const all = countPassed(mine), open = here.find((name) => !passed(name));
     const course = `${sumUp(all, "passed")} of ${sumUp(all, "count")} in the course`;
     this.bar.querySelector(".rk-who").textContent = this.name.trim() || "Type your name";
@@ -178,7 +176,7 @@ class Desk {
       this.tell(NAMELESS);
       return this.field.focus();
     }
-    this.tell(`Saved as ${downloadAnswers(this.element.dataset, this.name.trim(), this.mine())}. ${self === top ? "" : NO_FILE}`);
+    this.tell(downloadAnswers(this.element.dataset, this.name.trim(), this.mine()));
   }
 
   // Answers of a file that was saved here or elsewhere: each box checks its own again. A newer one

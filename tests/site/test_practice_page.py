@@ -315,6 +315,7 @@ def test_answers_are_saved_as_grade_reads_them(page, tmp_path):
     path = tmp_path / download.value.suggested_filename
     assert path.name == "answers--Ada-B-.csv"
     download.value.save_as(path)
+    assert page.inner_text(".rk-progress") == "Saved 1 answer as answers--Ada-B-.csv."
     [row] = table(path)
     time = datetime.fromisoformat(row.pop("time"))
     assert abs(datetime.now(UTC) - time) < timedelta(hours=1)  # now, and in no other zone
@@ -356,6 +357,9 @@ def test_nobody_saves_no_answers(page):
     menu(page).locator(".rk-export").click()
     assert page.inner_text(".rk-progress") == NAMELESS
     assert page.evaluate("() => document.activeElement.id") == "rk-student"
+    sign_in(page, "Ada")
+    menu(page).locator(".rk-export").click()
+    assert "nothing was saved" in page.inner_text(".rk-progress")
 
 
 def test_another_one_is_for_training(page):
@@ -687,6 +691,7 @@ def test_a_teacher_s_sheet_keeps_and_saves_what_is_typed(chromium, tmp_path, mon
         expect(page.get_by_text("Here this sheet can be read and printed")).to_be_hidden()
         with page.expect_download() as download:
             page.get_by_role("button", name="Save my answers").click()
+        expect(page.get_by_role("status")).to_have_text("Saved 1 answer as answers-Ada.csv.")
         download.value.save_as(tmp_path / "answers" / download.value.suggested_filename)
         assert not watch.errors + watch.strangers
     assert main(["grade", "answers", "--key", "key.csv"]) == 0

@@ -3,7 +3,7 @@
 import re
 from pathlib import Path
 
-from commands import ONE, ONLY, run, saved
+from commands import ONLY, run, saved
 from declared import table
 from support import ROOT
 
@@ -38,10 +38,10 @@ def test_the_commands_of_the_page_on_one_s_own_course(folder, capsys):
     roster = next(block for block in blocks if block.startswith("student\n"))
     (folder / "roster.csv").write_text(roster)
     (folder / "answers").mkdir()
-    (folder / "answers" / "answers-s0471.csv").write_text(saved("s0471", {ONE: "1"}))
+    (folder / "answers" / "answers-s0471.csv").write_text(saved("s0471", {"euler-1": "1"}))
     commands = [block.split()[3:] for block in blocks if " -m courseware.classroom " in block]
     assert [command[0] for command in commands] == ["key", "grade"]
     assert [run(*command) for command in commands] == [0, 0]
     assert "students without an answer: 2\n  s0472\n  s0473\n" in capsys.readouterr().out
-    for name in re.findall(r"`(grades[\w.-]*)`", page):
+    for name in re.findall(r"`(hw1-grades[\w.-]*)`", page):
         assert (folder / name).exists()

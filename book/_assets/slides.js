@@ -2,76 +2,87 @@
 // before them. Runs before the scripts of the page, which find all of it in its new place.
 
 const LEFT_OUT = "#as-a-function, #your-own-figure, #write-it-yourself, #exercises, #find-the-mistake, #a-glance-further";
-const BOXES = "section, .rk-opens, .rk-opens > div:not(.rk-key), .cell.tag_remove-input, .cell_output";
-const KEYS = "The arrow keys go on and back, F fills the screen. While a figure or an answer has the keys, Esc gives them back.";
+const BOXES = `section:not(${LEFT_OUT}), .rk-opens, .rk-opens > div:not(.rk-key), .cell.tag_remove-input, .cell_output`;
+const STARTS = ".rk-figure, .rk-prediction, h1, h2, h3, hr";
 const LONG = 240, EXERCISE = 600; // characters
 
 const article = document.querySelector("article"), deck = document.createElement("div");
-let heading = null, first = null, words = null, slide = null;
+let heading = null, first = null, words = null, slide = null, rest = null;
 
-// Leave the first sentences of a paragraph.
+// Leave the first sentences of a paragraph, or the last ones of one that leads to what follows.
+const leads = (paragraph) => paragraph?.textContent.trim().endsWith(":");
 const shorten = (paragraph, most = LONG) => {
-  let before = 0, end = null;
+  const cut = document.createRange(), ends = [];
+  let length = 0;
   for (const node of paragraph.childNodes) {
-    if (node.nodeType !== Node.TEXT_NODE) before += 3;
-    else for (const { index } of node.data.matchAll(/[.?!](?=\s|$)/g)) if (!end || before + index < most) end = [node, index + 1];
-    before += node.data?.length ?? 0;
+    const text = node.nodeType === Node.TEXT_NODE ? node.data : "xyz"; // a formula
+    for (const { index } of text.matchAll(/[.?!](?=\s|$)/g)) ends.push([node, index + 1, length + index]);
+    length += text.length;
   }
-  const rest = document.createRange();
-  rest.selectNodeContents(paragraph);
-  if (end && before > most) { rest.setStart(...end); rest.deleteContents(); }
+  if (!ends.length || length <= most) return paragraph;
+  cut.selectNodeContents(paragraph);
+  if (leads(paragraph)) cut.setEnd(...(ends.find(([, , at]) => length - at < most) ?? ends.at(-1)).slice(0, 2));
+  else cut.setStart(...(ends.findLast(([, , at]) => at < most) ?? ends[0]).slice(0, 2));
+  cut.deleteContents();
   return paragraph;
 };
 
-const begin = (...parts) => {
-  slide = document.createElement("section");
-  slide.append(heading.cloneNode(true), ...parts);
-  if (words) slide.firstChild.after(shorten(words, heading.parentElement.id === "the-exercise" ? EXERCISE : LONG));
+const put = (part) => { if (part.matches(".rk-figure")) rest.before(part); else rest.append(part); };
+const begin = (part) => {
+  [slide, rest] = ["section", "div"].map((tag) => document.createElement(tag));
+  slide.append(heading.cloneNode(true), ...(words ? [shorten(words, heading.parentElement.id === "the-exercise" ? EXERCISE : LONG)] : []), rest);
   deck.append(slide);
   words = null;
+  put(part);
 };
 
-const holds = (selector) => slide.querySelector(selector);
-const add = (part) => {
-  if (part.matches(LEFT_OUT)) return;
-  if (part.matches(".rk-prediction")) {
-    const { figure } = JSON.parse(part.dataset.prediction), fold = part.querySelector(".rk-opens");
-    if (figure && holds(`#${figure}`)) slide.append(part); else begin(part);
-    [...fold.children].forEach(add); // what follows the answer is on the next slides
-    words = null;
-  } else if (part.matches(BOXES)) [...part.children].forEach(add);
-  else if (part.matches("h1, h2, h3")) {
-    [heading, first, words] = [part, null, null];
-    if (part.matches("h1")) begin(Object.assign(document.createElement("p"), { className: "keys", textContent: KEYS }));
-  } else if (part.matches("p") && part.textContent.trim()) {
-    if (part.textContent.startsWith("After this chapter")) deck.firstChild.lastChild.before(shorten(part));
+// The parts of a chapter in one row; a rule ends what follows an answer.
+const collect = (part) => {
+  if (part.matches(".rk-prediction")) return [part, ...[...part.querySelector(".rk-opens").children].flatMap(collect), document.createElement("hr")];
+  return part.matches(BOXES) ? [...part.children].flatMap(collect) : [part];
+};
+[...article.children].flatMap(collect).forEach((part, k, parts) => {
+  const holds = (selector) => slide.querySelector(`:scope > ${selector}, :scope > div > ${selector}`);
+  if (part.matches("h1, h2, h3")) [heading, first, words] = [part, null, null];
+  else if (part.matches(".rk-prediction")) (holds(`#${JSON.parse(part.dataset.prediction).figure || "none"}`) ? put : begin)(part);
+  else if (part.matches("p") && part.textContent.trim()) {
+    if (part.textContent.startsWith("After this chapter")) deck.firstChild.lastChild.append(shorten(part));
+    else if (part.textContent.startsWith("A place to stop.")) begin(part);
     else if (!words || words !== first) { words = part; first ??= part; } // the first below a heading, else the last
-  } else if (part.matches(".rk-figure, #recap > ul")) begin(part);
-  else if (part.matches(".rk-numbers")) slide.append(part);
-  else if (part.matches("div.math")) {
-    if (holds("[data-size=laboratory], .rk-prediction, .rk-numbers, ul") || slide.querySelectorAll("div.math").length > (holds("figure") ? 0 : 2)) begin(part);
-    else slide.append(part);
-  }
-};
-[...article.children].forEach(add);
-article.querySelectorAll(":scope > section").forEach((rest) => { rest.hidden = true; });
-deck.querySelectorAll("section:not(:has(figure))").forEach((each) => each.classList.add("words"));
+  } else if (part.matches(".rk-figure, #recap > ul")) (holds("ul") ? put : begin)(part);
+  else if (part.matches(".rk-numbers")) put(part);
+  else if (part.matches("div.math")) { // a figure's slide has its formula; if it has several, they are on the next
+    const more = parts.slice(k + 1, parts.findIndex((other, i) => i > k && other.matches(STARTS))).some((other) => other.matches("div.math"));
+    if (holds("figure") ? more || holds("[data-size=laboratory]") || holds(".math") : holds(".rk-prediction") || rest.querySelectorAll(":scope > :is(.math, .rk-numbers)").length > 2) begin(part);
+    else rest.append(...(words ? [shorten(words)] : []), part);
+    words = null;
+  } else if (part.matches("hr") || leads(words)) words = null; // it leads to what is on no slide
+  if (part.matches("h1")) begin(document.createElement("p"));
+});
 article.classList.add("reveal");
-deck.className = "slides";
-article.append(deck);
+article.append(Object.assign(deck, { className: "slides" }));
 
-// Pictures are as high as the slide leaves room for, also when an answer comes; words alone as large.
+// A picture is as large as its slide leaves room for, also when an answer comes; words alone are as
+// large. What is not above or below it is in a column, without a formula's numbers if it would be small.
+const overflows = (slide) => slide.scrollHeight > slide.clientHeight || [...slide.querySelectorAll(".math-scroll")].some((box) => box.scrollWidth > box.clientWidth + 1);
+const lay = (slide, layout, room) => { slide.dataset.layout = layout; slide.style.setProperty("--room", `${room}rem`); };
 const fit = (slide) => {
-  for (let room = 30; room > 10; room -= 0.5) {
-    slide.style.setProperty("--room", `${room}rem`);
-    if (slide.scrollHeight <= slide.clientHeight) return;
-  }
+  const picture = slide.querySelector(".rk-picture"), best = [0];
+  if (slide.clientHeight) Object.entries({ column: 1, above: 0.95, bare: 0.75 }).forEach(([layout, weight]) => {
+    let room = picture ? 40 : 30;
+    lay(slide, layout, room);
+    while (overflows(slide) && room > 10) lay(slide, layout, room -= 1);
+    const size = weight * (picture?.offsetHeight ?? room);
+    if (size > best[0] && !overflows(slide)) best.splice(0, 3, size, layout, room);
+  });
+  if (best[1]) lay(slide, ...best.slice(1));
 };
-const sizes = new ResizeObserver((seen) => new Set(seen.map(({ target }) => target.parentElement)).forEach(fit));
-deck.querySelectorAll("section > *").forEach((part) => sizes.observe(part));
+const sizes = new ResizeObserver((seen) => new Set(seen.map(({ target }) => target.closest(".slides > section"))).forEach(fit));
+deck.querySelectorAll("section > *, section > div > *, .rk-panel").forEach((part) => sizes.observe(part));
 
 const holder = () => document.activeElement?.closest(":is(input, select, summary, button, a, [tabindex='0'])");
-addEventListener("keydown", ({ key }) => { if (key === "Escape") document.activeElement.blur(); }, true);
-window.Reveal.initialize({ width: 1280, height: 720, margin: 0, center: false, display: "flex", transition: "none", hash: true,
-  controlsLayout: "edges", slideNumber: "c/t", touch: false, overview: false,
+deck.addEventListener("click", ({ target }) => { if (target.closest(".rk-card button")) document.activeElement.blur(); });
+addEventListener("keydown", ({ key }) => { if (/^(Escape|Page)/.test(key)) document.activeElement.blur(); }, true);
+window.Reveal.initialize({ width: 1280, height: 720, margin: 0, center: false, display: "grid", transition: "none", hash: true,
+  controlsLayout: "edges", slideNumber: "c/t", touch: false, overview: false, pause: false,
   keyboardCondition: ({ key }) => !holder() || (holder().matches("button, a, summary") && key.startsWith("Arrow")) });

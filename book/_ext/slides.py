@@ -1,7 +1,4 @@
-"""Slides of each chapter, `slides/<chapter>.html`: its page without menus, cut up by `slides.js`.
-
-They live beside the pages, with the same scripts and styles; reveal.js moves through them.
-"""
+"""Slides of each chapter, `slides/<chapter>.html`: its page without menus, cut by `slides.js`."""
 
 import re
 from pathlib import Path

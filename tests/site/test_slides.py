@@ -70,3 +70,14 @@ def test_a_figure_is_dragged_and_escape_gives_the_keys_back(server, chromium):
         page.keyboard.press("ArrowRight")
         assert page.evaluate("Reveal.getIndices().h") == 2
         assert not watch.errors
+
+
+def test_a_presenters_keys_always_turn_the_slide(server, chromium):
+    """Also after a click on an answer, and after the key with which reveal.js blanks the screen."""
+    with watched_page(chromium, server) as (page, watch):
+        settled(page, f"{server}slides/differential_drive.html#/2")
+        page.locator(".slides .present .rk-guess button[value]").first.click()
+        page.keyboard.press("b")
+        page.keyboard.press("PageDown")
+        assert page.evaluate("Reveal.getIndices().h") == 3
+        assert not watch.errors

@@ -1,8 +1,4 @@
-"""The chapters on a poster: `poster.svg` in the site, a picture and a sentence for each.
-
-`make paper` prints it. Colours are those of a light page, written into the file, which needs no
-other: so it opens in a drawing program, too.
-"""
+"""The chapters on a poster, `poster.svg`, which needs no other file: a picture, a sentence each."""
 
 from dataclasses import replace
 from html import escape
@@ -39,6 +35,7 @@ SHEET = f"""<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDE} {TALL}" 
 font-family="sans-serif" font-size="14" fill="#1f2933"><title>{{title}}</title>
 <rect width="{WIDE}" height="{TALL}" fill="#fff"/>
 <text x="50" y="66" font-size="40" font-weight="700">{{title}}</text>
+<text x="50" y="90">{{address}}</text>
 {{chapters}}
 <text x="{WIDE - 50}" y="{TALL - 16}" font-size="10" text-anchor="end">CC BY 4.0</text>
 </svg>
@@ -49,6 +46,7 @@ def render_chapter(place, name, chosen, sentence):
     """Return a chapter's picture, title and sentence in their place on the sheet."""
     figure = find_figure(name)
     picture = replace(figure, view=widen(figure.view)).render_svg(PICTURE, **chosen)
+    picture = inline_colors(picture).replace("system-ui,", "").replace(">· <", ">× <")
     chapter = course().find_chapter("figures", figure)
     title = f"{course().taught.index(chapter)} {escape(course().title(chapter))}"
     left, top = 50 + place % 2 * (PICTURE + 50), TOP + place // 2 * ROW
@@ -56,7 +54,7 @@ def render_chapter(place, name, chosen, sentence):
     lines = enumerate(wrap(escape(sentence), LETTERS), 1)
     words = "".join(f'<text y="{below + LINE * k:g}">{line}</text>' for k, line in lines)
     head = f'<text y="{below:g}" font-size="18" font-weight="700">{title}</text>'
-    return f'<g transform="translate({left} {top})">{inline_colors(picture)}{head}{words}</g>'
+    return f'<g transform="translate({left} {top})">{picture}{head}{words}</g>'
 
 
 def write_poster(app, error):
@@ -65,7 +63,7 @@ def write_poster(app, error):
         recaps = enumerate(RECAPS.items())
         chapters = "\n".join(render_chapter(k, name, *recap) for k, (name, recap) in recaps)
         title = f"{escape(app.config.html_title)}: robot kinematics in eight pictures"
-        sheet = SHEET.format(title=title, chapters=chapters)
+        sheet = SHEET.format(title=title, address=app.config.html_baseurl, chapters=chapters)
         (Path(app.outdir) / "poster.svg").write_text(sheet, "utf-8")
 
 

@@ -41,7 +41,8 @@ def test_every_printed_symbol_is_declared(chapter):
     """So it is on the notation page, with its meaning."""
     missing = {letter: tex for tex in printed_tex(chapter) for letter in undeclared(chapter, tex)}
     assert not missing, (
-        f"correct the text, or declare in formulas.py of {chapter}, as `quantity` or `symbol`: {missing}"
+        f"correct the text, or declare in formulas.py of {chapter}, as `quantity` or `symbol`: "
+        f"{missing}"
     )
 
 

@@ -93,7 +93,7 @@ def _grade_exercise(
     found = {}
     for task, v in verdicts.items():
         a, student = answers.get(task, NOTHING), rows[task]["student"]
-        judgement = v.result, v.name * (v.result != "right"), v.feedback
+        judgement = v.result, "" if v.result == "right" else v.name, v.feedback
         found[task] = Graded(student, name, a.answer, *judgement, a.tries, a.help)
     return found
 

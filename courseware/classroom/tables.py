@@ -35,8 +35,8 @@ class Problem(NamedTuple):
     comment: str
 
     def __str__(self) -> str:
-        place = f"{self.file}" + f", line {self.line}" * bool(self.line)
-        return place + f": {self.comment}" * bool(self.comment)
+        place = f"{self.file}, line {self.line}" if self.line else f"{self.file}"
+        return f"{place}: {self.comment}" if self.comment else place
 
 
 class Problems(list[Problem]):
@@ -56,12 +56,13 @@ class Problems(list[Problem]):
             kinds.setdefault(each.problem, {}).setdefault(each.file, []).append(each)
         found = []
         for kind, files in kinds.items():
-            found += [f"{kind}: {sum(map(len, files.values())):,}"] * bool(files)
+            if files:
+                found.append(f"{kind}: {sum(map(len, files.values())):,}")
             for path, here in files.items() if kind != NOT_ASKED else ():
                 shown = [*Counter(each.comment for each in here).items()][:SHOWN]
                 for comment, count in shown:
                     first = next(each for each in here if each.comment == comment)
-                    found.append(f"  {first}" + f" ({count:,} lines)" * (count > 1))
+                    found.append(f"  {first} ({count:,} lines)" if count > 1 else f"  {first}")
                 if more := len(here) - sum(count for _, count in shown):
                     found.append(f"  {path}: {more:,} more")
         return found

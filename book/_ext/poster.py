@@ -46,7 +46,7 @@ def render_chapter(place, name, chosen, sentence):
     """Return a chapter's picture, title and sentence in their place on the sheet."""
     figure = find_figure(name)
     picture = replace(figure, view=widen(figure.view)).render_svg(PICTURE, **chosen)
-    picture = inline_colors(picture).replace("system-ui,", "").replace(">· <", ">× <")
+    picture = inline_colors(picture).replace("system-ui,", "")
     chapter = course().find_chapter("figures", figure)
     title = f"{course().taught.index(chapter)} {escape(course().title(chapter))}"
     left, top = 50 + place % 2 * (PICTURE + 50), TOP + place // 2 * ROW
@@ -62,7 +62,7 @@ def write_poster(app, error):
     if not error and app.builder.name == "html":
         recaps = enumerate(RECAPS.items())
         chapters = "\n".join(render_chapter(k, name, *recap) for k, (name, recap) in recaps)
-        title = f"{escape(app.config.html_title)}: robot kinematics in eight pictures"
+        title = f"{escape(app.config.html_title)}: robot kinematics in pictures"
         sheet = SHEET.format(title=title, address=app.config.html_baseurl, chapters=chapters)
         (Path(app.outdir) / "poster.svg").write_text(sheet, "utf-8")
 

@@ -1570,7 +1570,7 @@ def summary_figure() -> Figure:
         ground="tiles",
         where=LAST,
         shapes=(
-            *both_lines(("· ω: slides", "· ω: rolls")),
+            *both_lines(("× ω: slides", "× ω: rolls")),
             Label("icr", (0.12, -0.12), "axle line"),
             Label("left", (0.32, 0.4), "push line"),
         ),

@@ -189,11 +189,10 @@ def test_the_other_pdf_leaves_the_answers_out(pdf, texts):
 
 def test_the_poster_has_a_picture_of_each_chapter_and_needs_no_other_file(site):
     poster = (site / "poster.svg").read_text("utf-8")
-    assert len(ElementTree.fromstring(poster).findall("{*}g/{*}svg")) == 8
-    titles = {f"{number} {course().title(c)}" for number, c in enumerate(course().taught)}
+    titles = [f"{number} {course().title(c)}" for number, c in enumerate(course().taught)]
     shown = re.findall(r'font-weight="700">(\d .*?)</text>', poster)
-    assert shown == sorted(shown)
-    assert set(shown) <= titles
+    assert shown == titles[1:]  # the first one is what one knows before
+    assert len(ElementTree.fromstring(poster).findall("{*}g/{*}svg")) == len(shown)
     assert not re.search(r"(href|src)=\"(?!#)|url\((?!#)|@import|<script", poster)
     assert missing_drawings(poster) == set()
 

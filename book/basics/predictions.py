@@ -83,8 +83,8 @@ PREDICTIONS = (
     Prediction(
         "thousand-ends",
         "A thousand robots start here. Each drives 2 m: one straight on, the others turn as they "
-        "drive, each a little more than the one before, the last by half a turn. Where do they "
-        "end?",
+        "drive, each a little more than the one before, half of them to each side. Where do "
+        "they end?",
         Buttons(
             (CIRCLE, LINE, NEARER),
             right=thousand_ends,

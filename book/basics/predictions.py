@@ -24,7 +24,7 @@ def turned() -> str:
 
 
 def thousand_ends() -> str:
-    """Return where robots end that drive equally far and turn by up to half a turn."""
+    """Return where robots end that drive equally far, each turned more than the one before."""
     rates = np.linspace(0, np.pi / TIME, 1000)
     ends = motion.arc_step([0, 0, 0], v=SPEED, omega=rates, dt=TIME)
     away = np.diff(np.hypot(ends[:, 0], ends[:, 1]))

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 from sympy import (
     Abs,
     And,
+    Gt,
     Matrix,
     Or,
     Piecewise,
@@ -243,8 +244,13 @@ def caption(pane: Sequence[float], words: str, up: float = 0.15) -> Label:
 def two_views(hand: Pose, *inside: Any) -> tuple[Any, ...]:
     """Return the room as the camera sees it and as the hand sees it, with the hand's paper."""
     paper, inside = (things.tracing_paper(hand, SHEET),), (things.camera_above(CAMERA), *inside)
+    near_edge = Gt(hand[0], PANE[1] - 0.5)  # there its letters would be in the other picture
+    named = (
+        *when(~near_edge, *axes(hand, "c", 0.34)),
+        *when(near_edge, *axes(hand, "", 0.34)),
+    )
     return (
-        *room_at(CAMERA, PANE, *inside, paper=paper, below=axes(hand, "c", 0.34)),
+        *room_at(CAMERA, PANE, *inside, paper=paper, below=named),
         *room_at(seen_at(hand), OTHER, *inside, paper=paper, below=axes(MIDDLE, "c", 0.34)),
         caption(PANE, "the camera sees"),
         caption(OTHER, "the hand sees"),
@@ -258,7 +264,7 @@ def parcel(pose: Pose, look: str = "") -> Sprite:
 
 GRIPPED = Sprite(
     (*point_of(MIDDLE, GRIP), MIDDLE[2]),
-    (Outline(box(*BOX), "goal", "goal_edge", opacity=0.5),),
+    (Outline(box(BOX[0] + 0.03, BOX[1] + 0.03), "goal", "goal_edge", opacity=0.6),),
     silhouette="",
 )
 

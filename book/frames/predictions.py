@@ -250,9 +250,9 @@ PREDICTIONS = (
                 "the turn": "The camera sees the platform turned, too, and by as much.",
             },
         ),
-        explanation="How the camera hangs does not matter to the hand. Try it; drag beside the "
-        "frames to turn your view.",
-        spoilers=("does not matter to the hand",),
+        explanation="While the camera sees both, it does not matter how it hangs. Try it; drag "
+        "beside the frames to turn your view.",
+        spoilers=("not matter how it hangs",),
         covers="camera-above",
     ),
     Prediction(
@@ -265,7 +265,7 @@ PREDICTIONS = (
             right=refused,
             assumptions={
                 "1": "A pose in space and poses in the plane do not mix.",
-                "1, 2 and 3": "What nobody knows contradicts nothing.",
+                "1, 2 and 3": "Nothing joins k and l to the others: no pose can contradict theirs.",
                 "all": "The last one says what is known already, the other way round.",
             },
         ),

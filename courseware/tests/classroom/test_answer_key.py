@@ -26,12 +26,11 @@ def test_a_secret_deals_numbers_that_are_on_no_page(keyed):
     assert table("other.csv") != table("exam.csv")
 
 
-@pytest.mark.slow
 @each("exercise", "exercises", Exercise)
 def test_a_secret_finds_numbers_for_every_exercise(exercise):
     """Whatever it draws: no mistake ends in an error, no exercise is left with a handful."""
     public = {tuple(variant.numbers.values()) for variant in variants.all_variants(exercise.name)}
-    for secret in map(str, range(10**15, 10**15 + 5)):
+    for secret in ("1000000000000000", "1000000000000001"):
         dealt = variants.all_variants(exercise.name, secret)
         own = {tuple(variant.numbers.values()) for variant in dealt}
         assert len(own) >= 14, (

@@ -575,10 +575,10 @@ def circle_and_lane(L, b, phi):
 
 
 with as_written():
-    ALPHA, B = formulas.alpha, formulas.track
+    B, ALIKE = formulas.track, dict.fromkeys((formulas.alpha_L, formulas.alpha_R), "alpha")
     LEVERS = LocalEquation(
-        sp.Matrix([formulas.lever_L, formulas.lever_R]),
-        sp.Matrix([L * cos(ALPHA) + B / 2 * sin(ALPHA), L * cos(ALPHA) - B / 2 * sin(ALPHA)]),
+        sp.Matrix([lever for lever, _ in formulas.levers]),
+        sp.Matrix([length for _, length in formulas.levers]),
         "m",
     )
     LEAST_RADIUS = LocalEquation(R, 1 / formulas.kappa, "m")
@@ -617,8 +617,8 @@ bicycle_8 = Exercise(
         "slides by the sine of its angle, less its lever times κ. The levers are\n\n{levers}\n\n"
         "The sum of the squares is a parabola in κ. It is least at\n\n{least}\n\n"
         "The point is one over κ away:\n\n{radius}",
-        levers=Step(LEVERS, {ALPHA: "alpha", L: "L", B: "b"}),
-        least=Step(formulas.least_scrub, {formulas.alpha_L: "alpha", formulas.alpha_R: "alpha"}),
+        levers=Step(LEVERS, {**ALIKE, L: "L", B: "b"}),
+        least=Step(formulas.least_scrub, ALIKE),
         radius=Step(LEAST_RADIUS),
     ),
 )

@@ -318,7 +318,7 @@ def gap_figure() -> Figure:
         title="The car beside a narrow gap at the kerb, and where two arcs backwards take it",
         marks=(
             Length("length", (NARROW[0], -0.25), (NARROW[1], -0.25), ""),
-            Label("text", (sum(NARROW) / 2, -0.52), "6.2 m"),
+            Label("text", (sum(NARROW) / 2, -0.52), f"{NARROW[1] - NARROW[0]:.1f} m"),
         ),
     )
 
@@ -484,8 +484,8 @@ def circles_figure() -> Figure:
         ),
         readouts=(Readout(alpha_L), Readout(alpha_R), Readout(R)),
         goal=Goal(
-            And(Abs(R) < 3.3, Abs(R) > 3.2),
-            "Bring the ICR to 1.3 wheelbases, 3.25 m, from P: within 5 cm.",
+            Abs(Abs(R) - 1.3 * L) < 0.05,
+            f"Bring the ICR to 1.3 wheelbases, {1.3 * L:g} m, from P: within 5 cm.",
         ),
     )
 
@@ -752,12 +752,12 @@ DURATION = 10.0  # s, of the drive that is cut into steps
 SMALL = 0.35  # times as large as it is, that drive is drawn
 
 
-def swept_by(long: Any, far: Any, parts: int = 24) -> Area:
-    """Return the lane of the wheels along an arc to the left: inner rear and outer front wheel."""
-    ways = [far * Rational(k, parts) for k in range(parts + 1)]
+def swept_by(far: Any) -> Area:
+    """Return the long vehicle's lane on an arc to the left: inner rear and outer front wheel."""
+    ways = [far * Rational(k, 24) for k in range(25)]
     inner, outer = (
-        [point_of(along(START, steering, way, long), ahead, left) for way in ways]
-        for ahead, left in ((0, TRACK / 2), (long, -TRACK / 2))
+        [point_of(along(START, steering, way, LENGTH), ahead, left) for way in ways]
+        for ahead, left in ((0, TRACK / 2), (LENGTH, -TRACK / 2))
     )
     return Area("path", (*inner, *reversed(outer)))
 
@@ -880,7 +880,7 @@ def lane_figure() -> Figure:
         where=((wheelbase, LENGTH), (track, TRACK), *assign(bicycle.turning_radius),
                *assign(bicycle.front_radius, bicycle.lane, bicycle.cut)),
         shapes=(
-            swept_by(LENGTH, far),
+            swept_by(far),
             Curve("left", at(s, 0, side), s, 0, far),
             Curve("right", at(s, LENGTH, -side), s, 0, far),
             Line("icr", ((0, 0), (-R, 0))),
@@ -1008,7 +1008,7 @@ def lab_figure() -> Figure:
                 things.kerb((curb, -30, UP), 60, 2, pavement=20),
                 things.kerb((curb - KERBS, 30, -UP), 60, 2, pavement=20),
             ),
-            *when(And(is_long > 0.5, steering > 0), swept_by(LENGTH, way_driven)),
+            *when(And(is_long > 0.5, steering > 0), swept_by(way_driven)),
             *tracks,
             *shown,
             Point("icr", (-R, 0), "ICR"),

@@ -214,7 +214,7 @@ FORGOTTEN = {
     ),
     "the name of a look": (
         lambda tree: replace(tree, "figures.py", 'Line("path"', 'Line("way"'),
-        "import pytest; pytest.console_main()",
+        "import pytest, sys; sys.exit(pytest.main())",
         rf"^ERROR: .*{NEW}.figures.py, line \d+: in the figure gear-train-screen, .*way",
     ),
 }

@@ -55,8 +55,8 @@ def titles():
 
 
 @pytest.fixture(scope="module")
-def pdf():
-    """The PDF with answers, of which the contents are the first pages."""
+def pdf(site):
+    """The PDF with answers, of which the contents are the first pages; the site is not built now."""
     assert PDF.exists(), "run `make paper` first"
     return PdfReader(PDF)
 

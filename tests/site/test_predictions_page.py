@@ -232,6 +232,7 @@ def test_nothing_is_judged_before_it_is_moved(page):
     for _ in range(4):
         card(page, GHOST).locator("form button", has_text="Here").click()
         assert said(page, GHOST).inner_text() == "Move your guess first."
+    assert card(page, GHOST).locator(".rk-skip").is_visible()
 
 
 def test_a_wrong_place_is_answered_with_its_way_and_tried_again(page):

@@ -41,7 +41,7 @@ def test_the_keys_lead_to_the_end_and_all_fits(name, scheme, site, server, chrom
             beyond += page.evaluate(BEYOND)
             page.keyboard.press("ArrowRight")
         assert page.evaluate("Reveal.isLastSlide()")
-        assert slides > 6
+        assert slides > (6 if name == "basics" else 8)  # that one has four short steps
         assert (beyond, watch.errors, watch.strangers) == ([], [], [])
     assert "_static/reveal" not in (site / name / f"{name}.html").read_text("utf-8")
 

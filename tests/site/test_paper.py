@@ -56,7 +56,7 @@ def titles():
 
 @pytest.fixture(scope="module")
 def pdf(site):
-    """The PDF with answers, of which the contents are the first pages; the site is not built now."""
+    """The PDF with answers, of which the contents are the first pages; no build runs now."""
     assert PDF.exists(), "run `make paper` first"
     return PdfReader(PDF)
 

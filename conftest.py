@@ -1,6 +1,7 @@
 """For all tests: how hypothesis draws, what is tried twice, what nbval's run also compares."""
 
 import os
+import re
 
 import pytest
 from hypothesis import settings
@@ -13,8 +14,8 @@ pytest.register_assert_rewrite("browser", "figure_numbers", "figure_page", "test
 
 def pytest_configure(config):
     """Stop at a wrong declaration, once: nearly every test would fail for it."""
-    alone = ("benchmarks", "tests/robokin")  # which need no course
-    if hasattr(config, "workerinput") or all(each.startswith(alone) for each in config.args):
+    alone = r"benchmarks|tests/robokin|.*\.ipynb$"  # need no course, or say what is wrong
+    if hasattr(config, "workerinput") or all(re.match(alone, each) for each in config.args):
         return
     import book  # noqa: F401 (opens the course)
     from courseware.course import CourseError, course

@@ -214,7 +214,7 @@ def points_and_last_states(figure, n):
         for k in range(loop.most):
             on = counts > k
             given = np.hstack([rows[on], state[on]])
-            state[on] = evaluate_exactly(sp.Matrix(loop.step), known, given)
+            state[on] = evaluate_exactly(sp.Matrix(loop.step), known, given, cse=True)
         found.append(state)
     return np.hstack(found)
 

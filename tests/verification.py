@@ -82,12 +82,15 @@ def _argument(argument, columns, n):
     return np.broadcast_to(np.asarray(function(*columns.values()), dtype=float), (n,))
 
 
-def evaluate_exactly(expression, symbols, points, where=()):
-    """Evaluate an expression or matrix at points in 50-digit arithmetic: (n, components)."""
+def evaluate_exactly(expression, symbols, points, where=(), cse=False):
+    """Evaluate an expression or matrix at points in 50-digit arithmetic: (n, components).
+
+    cse: compute what occurs often once, and then branches that are not taken, too.
+    """
     flat = tuple(expression) if isinstance(expression, sp.MatrixBase) else (expression,)
     known = (*symbols, *(symbol for symbol, _ in where))
     parts = (*(step for _, step in where), flat)
-    *steps, function = (_in_mpmath(known[: len(symbols) + k], p) for k, p in enumerate(parts))
+    *steps, function = (_in_mpmath(known[: len(symbols) + k], p, cse) for k, p in enumerate(parts))
     rows = []
     with mpmath.workdps(DIGITS):
         for point in points.tolist():
@@ -106,8 +109,8 @@ def evaluate_exactly(expression, symbols, points, where=()):
 
 
 @lru_cache(maxsize=1024)  # a loop asks for its step many times
-def _in_mpmath(symbols, expression):
-    return sp.lambdify(symbols, expression, modules=[MPMATH, "mpmath"])
+def _in_mpmath(symbols, expression, cse):
+    return sp.lambdify(symbols, expression, modules=[MPMATH, "mpmath"], cse=cse)
 
 
 def _real(value):

@@ -1,6 +1,7 @@
 """The live figures of the chapter on the bicycle model: one car, and its long sister."""
 
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 from sympy import (
@@ -193,7 +194,9 @@ def outside(place: Any, pose: Any) -> Any:
     forward = dx * cos(pose[2]) + dy * sin(pose[2]) - (FRONT + REAR) / 2
     beyond = Abs(forward) - (FRONT - REAR) / 2
     beside = Abs(dy * cos(pose[2]) - dx * sin(pose[2])) - WIDTH / 2
-    return sqrt(Max(beyond, 0) ** 2 + Max(beside, 0) ** 2) + Min(Max(beyond, beside), 0)
+    # as written, which is quicker
+    most, least = partial(Max, evaluate=False), partial(Min, evaluate=False)
+    return sqrt(most(beyond, 0) ** 2 + most(beside, 0) ** 2) + least(most(beyond, beside), 0)
 
 
 EACH = 60  # poses on each arc at which the car is measured, at most 9 cm apart

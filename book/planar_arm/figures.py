@@ -778,8 +778,8 @@ def follower() -> tuple[Recurrence, Sequence[Any]]:
         *turned_on,
         state[3] + 1,
         *rates,
-        Max(state[7], off),
-        Max(state[8], *map(Abs, rates)),
+        Max(state[7], off, evaluate=False),  # as written, which is quicker
+        Max(state[8], *map(Abs, rates), evaluate=False),
     )
     start = (*START, 0, 0, 0, 0, 0, 0)
     return Recurrence(state, start, step, ceiling(since * parts), 2 * PARTS, end), end

@@ -125,15 +125,15 @@ class Figure:
             place = course().find_place(chapter, "figures", self.name)
             raise CourseError(f"{place}: in the figure {self.name}, {error}") from error
 
-    @property
+    @cached_property
     def code(self) -> str:
         """The compiled figure: a JavaScript object, data and functions, no renderer."""
         return serialize(self.compiled)
 
     @property
-    def page_code(self) -> str:
+    def page_data(self) -> dict[str, Any]:
         """The compiled figure without its outlines, which are on a page once."""
-        return serialize(self.compiled | {"drawings": None})
+        return self.compiled | {"drawings": None}
 
     def compute(self, points: ArrayLike) -> NDArray[np.float64]:
         """Compute all numbers at many settings (n, settings), in one call → (n, values)."""
@@ -160,7 +160,7 @@ class Figure:
 
     def render_contents(self) -> str:
         """Return the picture and its panel as HTML, as before the script takes them over."""
-        return str(engine.run(f"courseware.renderFigure({self.page_code})"))
+        return str(engine.run(f"courseware.renderFigure({serialize(self.page_data)})"))
 
     def render_html(self) -> str:
         """Return the element of a page, which the script moves."""

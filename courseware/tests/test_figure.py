@@ -1,6 +1,7 @@
 """What a figure leaves in a notebook, and how it is found."""
 
 import json
+from functools import cache
 from xml.etree import ElementTree
 
 import nbformat
@@ -24,6 +25,7 @@ SIZES["camera-above"] = 46_000
 SIZES |= dict.fromkeys(("arm-laboratory", "dh-frames", "wrong-reach"), 66_000)
 
 
+@cache
 def kept_figures():
     """The stored outputs that hold a figure, by the figure's name."""
     found = {}

@@ -3,7 +3,7 @@
 import pytest
 from browser import watched_page
 from declared import EXERCISES, OF_EACH_KIND, table, typed
-from test_practice_page import printed, sign_in
+from test_practice_page import come_to, printed, sign_in
 
 from courseware import practice
 from courseware.classroom.__main__ import main
@@ -64,9 +64,7 @@ def test_page_notebook_and_grade_have_one_verdict(
         for student in people:
             sign_in(page, student)
             for name in exercises:
-                number = variants.choose_variant("robokin", name, student)
-                page.locator(f"#{name}").scroll_into_view_if_needed()
-                page.locator(f"#{name}[data-variant='{number}']").wait_for()
+                come_to(page, name, student)
             texts = [[name, given[student, name][0]] for name in exercises]
             for name, (value, result, words) in zip(
                 exercises, page.evaluate(CHECK, texts), strict=True

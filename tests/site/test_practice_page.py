@@ -93,9 +93,14 @@ def sign_in(page, name):
     """Type a name, leave the field, and wait for the numbers of that name."""
     page.fill("#rk-student", name)
     page.keyboard.press("Tab")
-    box(page, FIRST).scroll_into_view_if_needed()  # then its numbers come
-    number = variants.choose_variant(COURSE, FIRST, name)
-    page.locator(f"#{FIRST}[data-variant='{number}']").wait_for()
+    come_to(page, FIRST, name)
+
+
+def come_to(page, exercise, name):
+    """Scroll to an exercise, and wait for somebody's numbers in it."""
+    box(page, exercise).scroll_into_view_if_needed()
+    number = variants.choose_variant(COURSE, exercise, name)
+    page.locator(f"#{exercise}[data-variant='{number}']").wait_for()
 
 
 def box(page, exercise):
@@ -729,6 +734,7 @@ def test_a_sheet_without_scripts_asks_for_a_browser(chromium, tmp_path, monkeypa
 
 def test_a_matrix_can_be_typed_entry_by_entry(page):
     sign_in(page, "Ada")
+    come_to(page, "euler-2", "Ada")
     right = variant("euler-2", "Ada").candidates[0].rows[0]
     grid = box(page, "euler-2").locator(".rk-grid")
     grid.locator("summary").click()

@@ -32,9 +32,8 @@ BEYOND = """async () => {
 
 
 @each_chapter
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_the_keys_lead_to_the_end_and_all_fits(name, scheme, site, server, chromium):
-    with watched_page(chromium, server, scheme=scheme) as (page, watch):
+def test_the_keys_lead_to_the_end_and_all_fits(name, site, server, chromium):
+    with watched_page(chromium, server) as (page, watch):
         settled(page, f"{server}slides/{name}.html")
         slides, beyond = page.evaluate("Reveal.getTotalSlides()"), []
         for _ in range(slides):

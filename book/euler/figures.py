@@ -926,7 +926,7 @@ def recap_figure() -> Figure:
                 if number != numbers[k]
                 for label in when(
                     Abs(choice - number) < 0.5,
-                    Label("error", (2.2, -0.9 - 0.25 * k), f"{name} column: not arrow {number}"),
+                    Label("error", (2.2, -0.9 - 0.32 * k), f"{name} column: not arrow {number}"),
                 )
             ),
         ),

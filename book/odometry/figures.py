@@ -316,7 +316,7 @@ def tick_figure() -> Figure:
     return Figure(
         name="tick",
         title="A wheel from the side on a ruler, its slotted disc, two light gates and a counter",
-        view=(-0.1, 0.5, -0.19, 0.19),
+        view=(-0.1, 0.5, -0.19, 0.215),
         ground="wall",
         controls=(Slider(way, 0.0, 0.4, start=0.0, step=0.001, label="distance rolled"),),
         shapes=(
@@ -330,8 +330,8 @@ def tick_figure() -> Figure:
             Line("right", ((way, -0.06), (way, -0.17))),
             *(Label("text", (x, y), "A") for x, y in ((-0.04, -0.086), (way - 0.03, 0.13))),
             *(Label("text", (x, y), "B") for x, y in ((-0.04, -0.141), (way + 0.03, 0.13))),
-            things.counter((0.43, 0.12, 0), 0.1, 0.056),
-            Label("text", (0.43, 0.12), "{counted}"),
+            things.counter((0.43, 0.178, 0), 0.1, 0.056),
+            Label("text", (0.43, 0.178), "{counted}"),
         ),
         handles=(Handle("the wheel", hub[:2], {way: POINTER[0]}),),
         readouts=(Readout("counted", "counter, ticks", counted, "", 0, symbol=N_R),),

@@ -43,7 +43,7 @@ def _covers(
     long = ((b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2) ** 0.5
     ahead = ((b[0] - a[0]) / long, (b[1] - a[1]) / long)
     up = 1 if face else -1  # the lower face is seen from below
-    dots: list[tuple[object, ...]] = []
+    dots: list[tuple[Any, ...]] = []
     for x, radius in joints:
         dx, dy, r = x - middle[0], -middle[1], 0.78 * radius
         u, v = dx * ahead[0] + dy * ahead[1], up * (dy * ahead[0] - dx * ahead[1])
@@ -51,7 +51,7 @@ def _covers(
         dots += [(u, v, 0.59 * r, "shell"), (u, v, 0.16 * r, "dark")]
         bolts = [(u + 0.79 * r * cos(k), v + 0.79 * r * sin(k)) for k in range(6)]
         dots += [(*bolt, 0.08 * r, "metal_dark") for bolt in bolts]
-    return dots
+    return [(*(round(x, 4) for x in place), tone) for *place, tone in dots]
 
 
 def gripper(x: float, size: float = 0.026, opening: float = 1) -> tuple[Mesh, ...]:
@@ -188,7 +188,7 @@ def ball() -> tuple[Mesh, ...]:
 def stand(high: float) -> tuple[Mesh, ...]:
     """Return the stand of a ball, its foot at the origin."""
     foot = meshes.cylinder("metal_mid", (0.06, 0.06), (0, 0.02), n=N)
-    post = meshes.cylinder("metal_mid", (0.008, 0.008), (0.02, high), n=12)
+    post = meshes.cylinder("metal_mid", (0.008, 0.008), (0.02, high), n=8)
     return replace(foot, edge="edge"), replace(post, edge="edge")
 
 

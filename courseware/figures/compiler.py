@@ -56,11 +56,11 @@ def serialize(value: Any) -> str:
     if isinstance(value, Code):
         return str(value)
     if isinstance(value, dict):
-        pairs = (f"{json.dumps(k)}: {serialize(v)}" for k, v in value.items())
-        return "{" + ", ".join(pairs) + "}"
+        pairs = (f"{json.dumps(k)}:{serialize(v)}" for k, v in value.items())
+        return "{" + ",".join(pairs) + "}"
     if isinstance(value, list):
-        return "[" + ", ".join(map(serialize, value)) + "]"
-    return json.dumps(value, ensure_ascii=False, allow_nan=False)
+        return "[" + ",".join(map(serialize, value)) + "]"
+    return json.dumps(value, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
 
 
 class Compiler:

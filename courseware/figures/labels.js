@@ -13,7 +13,7 @@ export const addLabel = (to, x, y, shape, toward = [1, -1]) => {
 
 const AROUND = [[1, -1], [1, 1], [-1, -1], [-1, 1], [0, -1], [0, 1], [1, 0], [-1, 0]];
 const FAR = [4, 12, 22, 34, 48, 66, 90, 120], BESIDE = 22; // pixels between a place and its label; up to BESIDE without a leader
-export const overlaps = ([a, b, c, d]) => ([p, q, r, s]) => a < r && p < c && b < s && q < d;
+export const overlaps = ([a, b, c, d]) => (box) => a < box[2] && box[0] < c && b < box[3] && box[1] < d;
 
 // A text in pieces: letters of formulas with their mark and index ("θ̇_1", but no unit), all else.
 const UNIT = /(\d[ \u00a0]?|\/|\bin )$/; // before a letter, which is a unit then
@@ -78,11 +78,14 @@ const contains = (corners, x, y) => corners.reduce((odd, [a, b], i) => {
 
 // What a label costs in a box: a line below it, an outline across it, a thing all round it.
 const LINE = 30, OUTLINE = 60, ON = 35, FREE = 1000, WAY = 0.4; // WAY: of a pixel from its place
-const costOf = (box, x, y, obstacles, taken) => obstacles.reduce((sum, { points, isBody, around }) => {
-  if (!overlaps(box)(around)) return sum;
-  if (points.some((point, i) => i > 0 && crosses(points[i - 1], point, box))) return sum + (isBody ? OUTLINE : LINE);
-  return sum + (isBody && contains(points, x, y) ? ON : 0);
-}, FREE * taken.filter(overlaps(box)).length);
+const costOf = (box, x, y, obstacles, taken) => {
+  const meets = overlaps(box);
+  return obstacles.reduce((sum, { points, isBody, around }) => {
+    if (!meets(around)) return sum;
+    if (points.some((point, i) => i > 0 && crosses(points[i - 1], point, box))) return sum + (isBody ? OUTLINE : LINE);
+    return sum + (isBody && contains(points, x, y) ? ON : 0);
+  }, FREE * taken.filter(meets).length);
+};
 
 // Plain text, such as the numbers of an axis, stays where it was put: what has a symbol gives way.
 const stays = ({ shape: { shape, kind } }) => shape === "label" && kind === "text";

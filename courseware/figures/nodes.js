@@ -27,12 +27,13 @@ export const updateNodes = (element, nodes, before) => {
     element.innerHTML = renderNodes(nodes);
     return;
   }
+  let child = element.firstElementChild;
   before.forEach((old, i) => {
-    const node = nodes[i];
-    if (node === old) return;
-    if (!node) element.lastElementChild.remove();
-    else if (node[0] !== old[0]) element.children[i].outerHTML = renderNodes([node]);
-    else updateElement(element.children[i], node, old);
+    const node = nodes[i], next = child.nextElementSibling;
+    if (!node) child.remove();
+    else if (node[0] !== old[0]) child.outerHTML = renderNodes([node]);
+    else if (node !== old) updateElement(child, node, old);
+    child = next;
   });
   if (nodes.length > before.length) element.insertAdjacentHTML("beforeend", renderNodes(nodes.slice(before.length)));
 };

@@ -3,7 +3,7 @@
 
 import { dot } from "../equations/functions.js";
 import { KINDS } from "./constants.js";
-import { paint, px } from "./svg.js";
+import { paint, px, writePoint } from "./svg.js";
 
 const LIGHT = [0.36, -0.48, 0.8];
 const SHADOW = -100; // behind all but the floor
@@ -23,8 +23,6 @@ const isSeen = (q) => {
   return area < -0.5;
 };
 
-const tenths = (x) => Math.round(10 * x) / 10;
-const writePoint = ([x, y]) => `${tenths(x)} ${tenths(y)}`;
 const joinPoints = (points, style) => ["polyline", { points: points.join(" "), style }];
 
 // The outlines of a shadow: the edges between faces that the light meets and those that it does not,
@@ -66,10 +64,9 @@ const shadeFace = (kind, normal) => {
 const paintDots = (discs, q, [a, b], normal, toEye, fill) => {
   const ahead = unit(subtract(a, b)), middle = toEye([0, 0, 0]);
   const axes = [ahead, cross(normal, ahead)].flatMap((axis) => subtract(middle, toEye(axis)).slice(0, 2));
-  const at = (x, y, k) => px(meanOf(q, k) + x * axes[k] + y * axes[2 + k]);
-  return discs.map(([x, y, r, tone]) => ["circle", {
-    r, style: `fill:${fill(tone)};stroke:none`, transform: `matrix(${axes.map(Math.round)} ${at(x, y, 0)} ${at(x, y, 1)})`,
-  }]);
+  const transform = `matrix(${axes.map(Math.round)} ${px(meanOf(q, 0))} ${px(meanOf(q, 1))})`;
+  return [["g", { transform }, discs.map(([x, y, r, tone]) =>
+    ["circle", { cx: x, cy: y, r, style: `fill:${fill(tone)};stroke:none` }])]];
 };
 
 const SHARP = 0.7; // of the cosine of two faces that meet: a round body has no lines between its faces

@@ -23,11 +23,12 @@ export const path = (d, style) => ["path", { d, style }];
 // Mark what belongs to a quantity with its key.
 export const symbolData = ({ symbol }) => (symbol ? { "data-symbol": symbol } : {});
 export const px = (number) => Math.round(100 * number) / 100;
+export const writePoint = ([x, y]) => `${Math.round(10 * x) / 10} ${Math.round(10 * y) / 10}`;
 
 export const polyline = (points) => points
   .map(([x, y], i) => `${points[i - 1]?.every(Number.isFinite) ? "L" : "M"}${px(x)} ${px(y)}`)
   .filter((piece) => !/NaN|Infinity/.test(piece)).join("");
 // Not a path, if it has no gap: what a browser knows of a path's form is its style, which is worked out anew.
 export const drawLine = (points, style) => points.every(([x, y]) => Number.isFinite(x + y))
-  ? ["polyline", { points: points.map(([x, y]) => `${px(x)} ${px(y)}`).join(" "), style }]
+  ? ["polyline", { points: points.map(writePoint).join(" "), style }]
   : path(polyline(points), style);

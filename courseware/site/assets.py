@@ -1,6 +1,7 @@
 """Files beside the pages: scripts and style, exercises, wheels for a downloaded notebook."""
 
 import shutil
+from collections.abc import Iterable
 from html import escape
 from pathlib import Path
 from typing import Any
@@ -12,7 +13,7 @@ from sphinx.application import Sphinx
 from courseware.course import course
 from courseware.equations.javascript import Code
 from courseware.figures.compiler import serialize
-from courseware.figures.figure import find_figure, render_outlines
+from courseware.figures.figure import Figure, find_figure, render_outlines
 from courseware.practice import rendering as practice
 from courseware.practice.bank import all_mistakes, all_topics
 from courseware.run.page import project_path
@@ -30,10 +31,7 @@ def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any
     names = dict.fromkeys(node["figure"] for node in raws if "figure" in node)
     still = [find_picture(name) for node in raws for name in node.get("still", ())]
     figures = list(map(find_figure, names))
-    globals_ = {
-        "coursewareFigures": [Code(figure.page_code) for figure in figures],
-        "coursewareSymbols": symbol_facts(page),
-    }
+    globals_ = {**_share_meshes(figures), "coursewareSymbols": symbol_facts(page)}
     if figures or still:
         context["body"] = render_outlines([*figures, *still]) + body
     if any(globals_.values()):
@@ -46,6 +44,19 @@ def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any
     name = escape(course().salt, quote=True)
     tag = f'<meta name="course" content="{name}" />'
     context["metatags"] = f"{context.get('metatags', '')}\n{tag}"
+
+
+def _share_meshes(figures: Iterable[Figure]) -> dict[str, list[Any]]:
+    """Return the figures of a page, and the meshes of their solids, each of them once."""
+    meshes: dict[str, Code] = {}
+
+    def share(shape: dict[str, Any]) -> dict[str, Any]:
+        own = map(serialize, shape.get("data", ()))
+        names = [meshes.setdefault(m, Code(f"coursewareMeshes[{len(meshes)}]")) for m in own]
+        return shape | {"data": names} if names else shape
+
+    shared = [f.page_data | {"shapes": list(map(share, f.compiled["shapes"]))} for f in figures]
+    return {"coursewareMeshes": list(map(Code, meshes)), "coursewareFigures": shared}
 
 
 def write_assets(app: Sphinx, env: Any) -> None:

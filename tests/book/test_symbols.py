@@ -171,8 +171,8 @@ def agrees(equation, computed, figure, count):
 
 @pytest.mark.parametrize(("equation", "computed", "figure"), followed())
 def test_the_numbers_of_a_formula_are_those_of_its_figure(equation, computed, figure):
-    """At 40 settings."""
-    agrees(equation, computed, figure, 40)
+    """At 200 settings."""
+    agrees(equation, computed, figure, 200)
 
 
 DRIVE, MOTION = (course().module(c, "formulas") for c in ("differential_drive", "motion"))

@@ -32,8 +32,9 @@ BEYOND = """async () => {
 
 
 @each_chapter
-def test_the_keys_lead_to_the_end_and_all_fits(name, site, server, chromium):
-    with watched_page(chromium, server) as (page, watch):
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_the_keys_lead_to_the_end_and_all_fits(name, scheme, site, server, chromium):
+    with watched_page(chromium, server, scheme=scheme) as (page, watch):
         settled(page, f"{server}slides/{name}.html")
         slides, beyond = page.evaluate("Reveal.getTotalSlides()"), []
         for _ in range(slides):

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import Any
 
-from sympy import Matrix, Piecewise, atan2, cos, pi, sin
+from sympy import Matrix, Max, Piecewise, atan2, cos, pi, sin, sqrt
 
 from courseware.figures import POINTER, VIEW, Handle
 
@@ -20,13 +20,27 @@ def towards(angle: Any, direction: Any) -> Any:
     return around(angle + atan2(sin(off), cos(off)))
 
 
-def turn_handle(label: str, angle: Any, at: Sequence[Any]) -> Handle:
-    """Return a handle at a point in space that an angle turns: along its way in the picture.
+THIN = 0.02  # of the square of its long axis: less, and a circle is seen from its side
 
-    at: an expression of the angle itself. Where the point comes towards the viewer, its way is
-    short, and the hand turns it little.
+
+def turn_handle(label: str, angle: Any, at: Sequence[Any]) -> Handle:
+    """Return a handle at a point in space that an angle turns: round its circle in the picture.
+
+    at: an expression of the angle itself. In the picture its circle is an ellipse, and the hand's
+    place along both axes tells the angle. On a thin one it only tells how far along; then the point
+    stays on its side, until the hand goes past an end.
     """
     seen = Matrix(VIEW.project(at))
-    way = seen.diff(angle)
-    off = (Matrix(POINTER) - seen).dot(way) / (way.dot(way) + 0.002)
-    return Handle(label, tuple(seen), {angle: around(angle + off)})
+    at_0, at_90, at_180 = (seen.subs(angle, turn) for turn in (0, pi / 2, pi))
+    middle = (at_0 + at_180) / 2
+    one, other = at_0 - middle, at_90 - middle
+    unlike = one.dot(one) - other.dot(other)
+    first = atan2(2 * one.dot(other), unlike, evaluate=False) / 2  # where it is longest
+    c, s = cos(first), sin(first)
+    off, long, short = Matrix(POINTER) - middle, c * one + s * other, c * other - s * one
+    along, side = off.dot(long) / long.dot(long), sin(angle - first) + 1e-9
+    stays = side / sqrt(side**2 + 1e-24) * sqrt(Max(0, 1 - along**2, evaluate=False))
+    thin = THIN * long.dot(long)
+    across = (off.dot(short) + thin * stays) / (short.dot(short) + thin)
+    direction = (s * along + c * across, c * along - s * across)
+    return Handle(label, tuple(seen), {angle: atan2(*direction, evaluate=False)})

@@ -188,9 +188,11 @@ def readout_text(readout, value):
 
 
 def readout_texts(readout, value):
-    """Return all texts that it may have: half way between two the last digit decides."""
-    size = abs(value) if readout.digits < 0 else 1
-    return {readout_text(readout, value + d * size) for d in (-ALLOWED, 0, ALLOWED)}
+    """Return all texts that it may have: half way between two the last digit decides, and of 16
+    digits the last bit."""
+    size, bit = abs(value) if readout.digits < 0 else 1, np.spacing(float(value))
+    off = (-ALLOWED * size, -bit, 0, bit, ALLOWED * size)
+    return {readout_text(readout, value + d) for d in off}
 
 
 def loops(figure):

@@ -72,13 +72,14 @@ export const addHandles = (live) => {
 
 const ASIDE = [[0, 0], [0, -22], [22, 0], [0, 22], [-22, 0]];
 
-// Where the handles are drawn, in pixels: inside the picture, and none under another. The one that
-// was taken last keeps its place, others give way.
+// Where the handles are drawn, in pixels: inside the picture, none under another nor under the button
+// in the corner. The one that was taken last keeps its place, others give way.
 export const placeHandles = (live) => {
   const to = createProjection(live.computed.view, live.width), margin = 10, found = [];
   const high = heightOf(live.figure, live.width);
   const inside = (x, end) => Math.min(end - margin, Math.max(margin, x));
-  const free = ([x, y]) => found.every(([a, b]) => Math.hypot(x - a, y - b) > 18);
+  const free = ([x, y]) => Math.hypot(x - live.width + 22, y - 22) > 22
+    && found.every(([a, b]) => Math.hypot(x - a, y - b) > 18);
   const order = [...live.handles.keys()].sort((a, b) => (b === live.last) - (a === live.last));
   for (const k of order) {
     const [at, up] = to(live.place(live.figure.handles[k]));

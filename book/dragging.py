@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import Any
 
-from sympy import Matrix, Max, Piecewise, atan2, cos, pi, sin, sqrt
+from sympy import Gt, Lt, Matrix, Max, Piecewise, atan2, cos, pi, sin, sqrt
 
 from courseware.figures import POINTER, VIEW, Handle
 
@@ -11,7 +11,8 @@ from courseware.figures import POINTER, VIEW, Handle
 def around(angle: Any) -> Any:
     """Return an angle that a hand has turned past half a turn, from the other side."""
     most, whole = pi + 1e-9, 2 * pi
-    return Piecewise((angle - whole, angle > most), (angle + whole, angle < -most), (angle, True))
+    over, under = Gt(angle, most, evaluate=False), Lt(angle, -most, evaluate=False)
+    return Piecewise((angle - whole, over), (angle + whole, under), (angle, True), evaluate=False)
 
 
 def towards(angle: Any, direction: Any) -> Any:
@@ -21,6 +22,8 @@ def towards(angle: Any, direction: Any) -> Any:
 
 
 THIN = 0.02  # of the square of its long axis: less, and a circle is seen from its side
+SHORT = 1e-6  # m²: a circle of a millimetre is a point, which no hand can lead round
+ROUNDING = 1e-14
 
 
 def turn_handle(label: str, angle: Any, at: Sequence[Any]) -> Handle:
@@ -36,11 +39,16 @@ def turn_handle(label: str, angle: Any, at: Sequence[Any]) -> Handle:
     one, other = at_0 - middle, at_90 - middle
     unlike = one.dot(one) - other.dot(other)
     first = atan2(2 * one.dot(other), unlike, evaluate=False) / 2  # where it is longest
-    c, s = cos(first), sin(first)
+    c, s, turned = cos(first), sin(first), angle - first
     off, long, short = Matrix(POINTER) - middle, c * one + s * other, c * other - s * one
-    along, side = off.dot(long) / long.dot(long), sin(angle - first) + 1e-9
-    stays = side / sqrt(side**2 + 1e-24) * sqrt(Max(0, 1 - along**2, evaluate=False))
+    along = (off.dot(long) + SHORT * cos(turned)) / (long.dot(long) + SHORT)
+    side = sin(turned) + 1e-9  # at an end of the line, one of both
+    rest = sqrt(Max(0, 1 - ROUNDING - along**2, evaluate=False))
+    stays = rest * side / sqrt(side**2 + 1e-24)
     thin = THIN * long.dot(long)
-    across = (off.dot(short) + thin * stays) / (short.dot(short) + thin)
-    direction = (s * along + c * across, c * along - s * across)
-    return Handle(label, tuple(seen), {angle: atan2(*direction, evaluate=False)})
+    across = (off.dot(short) + thin * stays + SHORT * sin(turned)) / (
+        short.dot(short) + thin + SHORT
+    )
+    x, y = c * along - s * across, s * along + c * across
+    turn = (y * cos(angle) - x * sin(angle), x * cos(angle) + y * sin(angle))
+    return Handle(label, tuple(seen), {angle: around(angle + atan2(*turn, evaluate=False))})

@@ -3,16 +3,15 @@
 from collections.abc import Sequence
 from typing import Any
 
-from sympy import Gt, Lt, Matrix, Max, Piecewise, atan2, cos, pi, sin, sqrt
+from sympy import Matrix, Max, atan2, cos, pi, sign, sin, sqrt
 
 from courseware.figures import POINTER, VIEW, Handle
 
 
 def around(angle: Any) -> Any:
     """Return an angle that a hand has turned past half a turn, from the other side."""
-    most, whole = pi + 1e-9, 2 * pi
-    over, under = Gt(angle, most, evaluate=False), Lt(angle, -most, evaluate=False)
-    return Piecewise((angle - whole, over), (angle + whole, under), (angle, True), evaluate=False)
+    over, under = (sign(x - pi - 1e-9, evaluate=False) for x in (angle, -angle))  # 1 or -1
+    return angle - pi * (over - under)
 
 
 def towards(angle: Any, direction: Any) -> Any:

@@ -17,7 +17,8 @@ def around(angle: Any) -> Any:
 def towards(angle: Any, direction: Any) -> Any:
     """Return an angle turned into a direction, the short way round."""
     off = direction - angle
-    return around(angle + atan2(sin(off), cos(off)))
+    s, c = sin(off, evaluate=False), cos(off, evaluate=False)  # SymPy's evaluation takes seconds
+    return around(angle + atan2(s, c, evaluate=False))
 
 
 THIN = 0.02  # of the square of its long axis: less, and a circle is seen from its side
@@ -41,13 +42,11 @@ def turn_handle(label: str, angle: Any, at: Sequence[Any]) -> Handle:
     c, s, turned = cos(first), sin(first), angle - first
     off, long, short = Matrix(POINTER) - middle, c * one + s * other, c * other - s * one
     along = (off.dot(long) + SHORT * cos(turned)) / (long.dot(long) + SHORT)
-    side = sin(turned) + 1e-9  # at an end of the line, one of both
-    rest = sqrt(Max(0, 1 - ROUNDING - along**2, evaluate=False))
-    stays = rest * side / sqrt(side**2 + 1e-24)
+    side = sign(sin(turned) + 1e-9, evaluate=False)  # at an end of the line, one of both
+    stays = side * sqrt(Max(0, 1 - ROUNDING - along**2, evaluate=False))
     thin = THIN * long.dot(long)
     across = (off.dot(short) + thin * stays + SHORT * sin(turned)) / (
         short.dot(short) + thin + SHORT
     )
-    x, y = c * along - s * across, s * along + c * across
-    turn = (y * cos(angle) - x * sin(angle), x * cos(angle) + y * sin(angle))
-    return Handle(label, tuple(seen), {angle: around(angle + atan2(*turn, evaluate=False))})
+    direction = first + atan2(across, along, evaluate=False)
+    return Handle(label, tuple(seen), {angle: towards(angle, direction)})

@@ -331,10 +331,11 @@ def drag(live, random):
     held = live.values()
     assert math.dist(live.spot(place, held), live.spot(place, wished)) <= NEAR, (held, wished)
     live.page.mouse.up()
+    left = live.values()
     for control in live.figure.controls:
         if not isinstance(control, Choice | QuarterTurns):
             # a hundredth more for the rounding of numbers in between
-            assert abs(live.values()[control.key] - held[control.key]) <= 1.01 * control.step
+            assert abs(left[control.key] - held[control.key]) <= 1.01 * control.step
     return None
 
 

@@ -37,8 +37,8 @@ def test_settings_by_mouse_and_keys(figure, alone):
 @typical_held
 def test_a_handle_taken_at_its_edge_does_not_jump(figure, alone):
     with alone(figure) as live:
-        start, start_values = live.state(), live.values()
-        spots = [live.spot(place, start_values) for place in range(len(figure.handles))]
+        start, values = live.state(), live.values()
+        spots = [live.spot(place, values) for place in range(len(figure.handles))]
         x, y = [spot for spot in spots if np.isfinite(spot).all()][-1]  # some are nowhere yet
         live.page.mouse.move(x + 6, y + 6)
         live.page.mouse.down()

@@ -61,7 +61,8 @@ def scrolls(finger, live, x, y):
 def moves(finger, live, x, y, *ways):
     """A drag from there moves the figure, and the page stays where it is.
 
-    ways: (right, down) each; of a slider at its end only one leads on.
+    ways: (right, down) each; of a slider at its end only one leads on, and along the
+    radius of a circle none.
     """
     before, top = live.state(), finger.scrolled()
     for right, down in ways:
@@ -132,7 +133,7 @@ def touch_handles(finger, live):
             continue  # it has no place now
         right = 50 if x < picture["x"] + picture["width"] / 2 else -50
         down = 40 if y < picture["y"] + picture["height"] / 2 else -40
-        moves(finger, live, x, y, (right, down), (-right, -down))
+        moves(finger, live, x, y, (right, down), (-right, -down), (right, -down))
 
 
 PHONE = {"width": 390, "has_touch": True, "is_mobile": True}

@@ -6,7 +6,8 @@ A chapter may add its own in a module `prose`.
 from typing import Any
 
 from courseware.course import course
-from courseware.figures import Choice, Figure, Slider
+from courseware.figures import Choice, Slider
+from courseware.figures.figure import find_figure
 from courseware.symbols.live_numbers import start_text
 
 __all__ = ["digit_and_power", "get_names", "read_figure", "start_text"]
@@ -23,7 +24,7 @@ def read_figure(figure: str, readout: str, **settings: float | str) -> float:
 
     A setting that the reader cannot reach is refused.
     """
-    declared = course().find_all("figures", Figure)[figure]
+    declared = find_figure(figure)
     row: list[float] = []
     for control in declared.controls:
         value = settings.pop(control.key, control.start)

@@ -109,12 +109,15 @@ def test_the_library_computes_with_numpy_only(wheels, tmp_path):
 
 
 def test_a_notebook_needs_nothing_of_what_builds_the_site():
-    """Where a notebook runs elsewhere there is no Sphinx."""
+    """Where a notebook runs elsewhere there is no Sphinx; nor does it wait for other chapters."""
     code = """import sys
 sys.modules.update(docutils=None, sphinx=None, myst_nb=None)
-import book
-from courseware import equations, figures, practice, predictions
-practice.exercise("differential-drive-1").check("1")
+from book.odometry import figures
+from courseware import equations, practice, predictions
+figures.dark_figure()._repr_mimebundle_()
+predictions.ask("held-wheel")
+practice.exercise("odometry-1").check("1")
+assert "book.euler.figures" not in sys.modules
 """
     run = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True)
     assert run.returncode == 0, run.stderr

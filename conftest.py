@@ -12,8 +12,14 @@ settings.load_profile("robokin")
 pytest.register_assert_rewrite("browser", "figure_numbers", "figure_page", "test_new_chapter")
 
 
-def pytest_configure(config):
-    """Stop at a wrong declaration, once: nearly every test would fail for it."""
+@pytest.hookimpl(wrapper=True)
+def pytest_sessionstart(session):
+    """Stop at a wrong declaration, once: nearly every test would fail for it.
+
+    Workers, which are started first, look for their tests meanwhile.
+    """
+    yield
+    config = session.config
     alone = r"benchmarks|tests/robokin|.*\.ipynb$"  # need no course, or say what is wrong
     if hasattr(config, "workerinput") or all(re.match(alone, each) for each in config.args):
         return

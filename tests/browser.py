@@ -67,6 +67,12 @@ def wait_for(file):
     return file.read_text("utf-8")
 
 
+def shared_folder(tmp_path_factory):
+    """Return a folder that all workers share."""
+    base = tmp_path_factory.getbasetemp()
+    return base.parent if os.environ.get("PYTEST_XDIST_WORKER") else base
+
+
 def listed():
     """Return the documents of the table of contents, the first page first."""
     return list(list_documents(yaml.safe_load((ROOT / "_toc.yml").read_text("utf-8"))))
@@ -83,8 +89,7 @@ def pages(site):
 @pytest.fixture(scope="session")
 def site(tmp_path_factory):
     """Return the folder of the built site, brought up to date once per run of the tests."""
-    base = tmp_path_factory.getbasetemp()
-    shared = base.parent if os.environ.get("PYTEST_XDIST_WORKER") else base
+    shared = shared_folder(tmp_path_factory)
     if complaint := once(shared, "site", build_site):
         error = RuntimeError(f"the book does not build:\n{complaint}")
         error.tell_once = lambda test: once(shared, "told", lambda: test)  # see conftest.py
@@ -114,9 +119,9 @@ class Server(ThreadingHTTPServer):
 
 
 @contextmanager
-def serving(folder):
+def serving(folder, handler=Quiet):
     """Serve a folder; yield its address."""
-    handler = functools.partial(Quiet, directory=str(folder))
+    handler = functools.partial(handler, directory=str(folder))
     with Server(("127.0.0.1", 0), handler) as running:
         thread = threading.Thread(target=running.serve_forever)
         thread.start()
@@ -160,6 +165,14 @@ DRAW_ALL = """() => {
 def draw_all(page):
     """Draw also the parts far from the window, with their fonts: a page is then as it stays."""
     page.evaluate(DRAW_ALL)
+
+
+def pull(page, start, end, steps=3):
+    """By the mouse, from a place to another."""
+    page.mouse.move(*start)
+    page.mouse.down()
+    page.mouse.move(*end, steps=steps)
+    page.mouse.up()
 
 
 # opens the folds around an element and in it, but not a figure's own; predictions as answered

@@ -26,7 +26,8 @@ def mutants(equation, most=None):
 def _of_right(equation):
     entries = list(sp.Matrix([equation.right]))
     for place, entry in enumerate(entries):
-        for what, changed in [*_changed(entry), *_negated(entry)]:
+        negated = [("negated", -1 * entry)] if entry != 0 else []
+        for what, changed in [*_changed(entry), *negated]:
             column = [*entries[:place], changed, *entries[place + 1 :]]
             yield f"component {place}: {what}", replace(equation, right=sp.Matrix(column))
 
@@ -48,11 +49,6 @@ def _used(equation):
         if symbol in used:
             used = used | free_symbols(step)
     return used
-
-
-def _negated(entry) -> Iterator:
-    if entry != 0:
-        yield "negated", -1 * entry
 
 
 def _changed(node) -> Iterator:

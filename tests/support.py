@@ -12,6 +12,8 @@ from scipy.spatial.transform import Rotation
 ROOT = Path(__file__).resolve().parents[1]
 EPS = np.finfo(float).eps  # 2.2e-16: one rounding of a number near 1
 
+METHODS = ("exact", "midpoint", "start", "end")  # of paths
+
 
 def python_of(environment):
     """The interpreter of a virtual environment."""
@@ -72,6 +74,15 @@ def assert_close(actual, expected, atol):
     """Numbers equal to within atol; infinities and NaN must be in the same places."""
     assert np.shape(actual) == np.shape(expected)
     np.testing.assert_allclose(actual, expected, rtol=0, atol=atol, equal_nan=True)
+
+
+def normals(part):
+    """The middle and the outward normal (not of length 1) of each face that has an area."""
+    corners = np.array(part.corners)
+    for face in part.faces:
+        q = corners[list(face)]
+        up = sum(np.cross(a, b) for a, b in zip(q, np.roll(q, -1, axis=0), strict=True))
+        yield q.mean(axis=0), up
 
 
 def luminance(color):

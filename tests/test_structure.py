@@ -42,18 +42,8 @@ MODULES = {
 # of courseware: each part uses those before it, and can be used without those after it
 LAYERS = (
     *("errors", "script", "course", "units", "source_listing", "equations", "figures", "answers"),
-    *(
-        "practice",
-        "explaining",
-        "judge",
-        "programs",
-        "predictions",
-        "symbols",
-        "run",
-        "site",
-        "classroom",
-    ),
-    "new_chapter",
+    *("practice", "explaining", "judge", "programs", "predictions", "symbols", "run", "site"),
+    *("classroom", "new_chapter"),
 )
 
 

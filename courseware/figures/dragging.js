@@ -71,6 +71,7 @@ export const addHandles = (live) => {
 };
 
 const ASIDE = [[0, 0], [0, -22], [22, 0], [0, 22], [-22, 0]];
+const CORNER = 48; // of the button Reset on a phone, with half a handle
 
 // Where the handles are drawn, in pixels: inside the picture, none under another nor under the button
 // in the corner. The one that was taken last keeps its place, others give way.
@@ -78,13 +79,16 @@ export const placeHandles = (live) => {
   const to = createProjection(live.computed.view, live.width), margin = 10, found = [];
   const high = heightOf(live.figure, live.width);
   const inside = (x, end) => Math.min(end - margin, Math.max(margin, x));
-  const free = ([x, y]) => Math.hypot(x - live.width + 22, y - 22) > 22
-    && found.every(([a, b]) => Math.hypot(x - a, y - b) > 18);
+  const free = ([x, y]) => found.every(([a, b]) => Math.hypot(x - a, y - b) > 18);
+  const seen = (x, y) => { // out of the corner the shorter way
+    const [left, down] = [x - live.width + CORNER, CORNER - y];
+    return Math.min(left, down) < 0 ? [x, y] : left < down ? [x - left, y] : [x, y + down];
+  };
   const order = [...live.handles.keys()].sort((a, b) => (b === live.last) - (a === live.last));
   for (const k of order) {
     const [at, up] = to(live.place(live.figure.handles[k]));
     const [x, y] = [inside(at, live.width), inside(up, high)];
-    const tried = ASIDE.map(([dx, dy]) => [inside(x + dx, live.width), inside(y + dy, high)]);
+    const tried = ASIDE.map(([dx, dy]) => seen(inside(x + dx, live.width), inside(y + dy, high)));
     found[k] = Number.isFinite(at + up) ? tried.find(free) ?? tried[0] : [-99, -99];
   }
   return found;

@@ -2,14 +2,9 @@
 
 import pytest
 from small_figures import LOOP, a, loose, small_figure
-from support import assert_close
 
 from courseware.errors import CourseError
 from courseware.figures import Curve, Handle, Point, Slider, Trail
-
-
-def test_the_small_figure_is_right():
-    assert_close(small_figure().compute([[0.25]])[:, 0], [0.5], atol=0)
 
 
 @pytest.mark.parametrize(

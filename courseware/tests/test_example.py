@@ -33,10 +33,6 @@ def run(*command, **options):
     assert done.returncode == 0, done.stdout[-3000:] + done.stderr[-3000:]
 
 
-def test_it_is_declared_right():
-    run(BOOKLET.parent / "declared_right.py", "booklet", "optics")
-
-
 @pytest.fixture(scope="module")
 def pages(tmp_path_factory):
     """The pages, built without a warning from a copy whose notebook has been run."""

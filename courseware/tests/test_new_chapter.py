@@ -16,7 +16,7 @@ from urllib.parse import quote
 
 import pytest
 import yaml
-from browser import make_book, once
+from browser import make_book, once, shared_folder
 from launch_buttons import list_places
 from support import ROOT
 
@@ -73,15 +73,9 @@ def built(tree):
 
 
 @pytest.fixture(scope="module")
-def shared(tmp_path_factory):
-    """A folder that all workers share."""
-    base = tmp_path_factory.getbasetemp()
-    return base.parent if os.environ.get("PYTEST_XDIST_WORKER") else base
-
-
-@pytest.fixture(scope="module")
-def tree(shared):
+def tree(tmp_path_factory):
     """The copy, made by the first worker that comes."""
+    shared = shared_folder(tmp_path_factory)
     place = shared / "new" / "course"
     complaint = once(shared, "new", lambda: copied(place))
     assert not complaint, complaint
@@ -89,9 +83,9 @@ def tree(shared):
 
 
 @pytest.fixture(scope="module")
-def site(tree, shared):
+def site(tree):
     """The site of the copy, built by the first worker that comes."""
-    complaint = once(shared, "new_site", lambda: built(tree))
+    complaint = once(tree.parents[1], "new_site", lambda: built(tree))
     assert not complaint, complaint
     return tree / "_build" / "html"
 

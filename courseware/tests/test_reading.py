@@ -14,7 +14,6 @@ import pytest
 from declared import EXERCISES, each
 from hypothesis import given, settings
 
-import book  # noqa: F401  (opens the course)
 from courseware.practice import Exercise, judging, variants
 from courseware.practice.candidates import Candidate
 from courseware.script import engine, parts

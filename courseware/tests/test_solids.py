@@ -12,7 +12,7 @@ from figure_numbers import pressed
 from hypothesis import given
 from hypothesis import strategies as st
 from small_figures import painted, space_figure
-from support import EPS, assert_close
+from support import EPS, assert_close, normals
 
 from book.euler.figures import PRESSES, compose, last_rotation
 from book.things import meshes, space
@@ -33,15 +33,6 @@ BODIES = {
     "ring": meshes.ring("body", 1.0, 1.5, 0.2, along="y"),
 }
 EYE = sp.eye(3)
-
-
-def normals(part):
-    """The middle and the outward normal (not of length 1) of each face that has an area."""
-    corners = np.array(part.corners)
-    for face in part.faces:
-        q = corners[list(face)]
-        up = sum(np.cross(a, b) for a, b in zip(q, np.roll(q, -1, axis=0), strict=True))
-        yield q.mean(axis=0), up
 
 
 @pytest.mark.parametrize("name", BODIES)
@@ -252,22 +243,17 @@ def test_a_matrix_stands_in_the_picture_with_its_columns_in_colour():
 DIE = FIGURES["die"]
 
 
-def press(live, *which):
-    """Presses buttons, one after the other has come to its end."""
-    live.press(DIE.controls[0], *which)
-
-
 @in_browser
 def test_buttons_turn_the_die_and_the_goal_is_reached(alone):
     with alone(DIE) as live:
         goals = live.root.locator(".rk-goal")
-        press(live, "Z", "X", "Y", "-Y", "X")
+        live.press(DIE.controls[0], "Z", "X", "Y", "-Y", "X")
         assert live.state()[0] == ["ZXY-YX", 1]
         assert live.readouts() == {"count": "5"}
         assert [goal.locator("output").text_content() for goal in goals.all()] == ["reached", ""]
         live.root.locator(".rk-reset").click()
         assert live.state()[0] == ["", 1]
-        press(live, "z", "X", "X")
+        live.press(DIE.controls[0], "z", "X", "X")
         live.state()  # drawn to the end
         assert goals.nth(1).locator("output").text_content() == "reached"
 

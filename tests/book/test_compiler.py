@@ -15,7 +15,6 @@ from figure_numbers import (
     keeps_its_digits,
     points,
     sizes,
-    started,
 )
 from small_figures import a, small_figure
 from support import EPS, assert_close
@@ -25,7 +24,7 @@ from book.motion import formulas as motion_formulas
 from courseware.equations.javascript import run_javascript
 from courseware.figures import Curve, Point, Readout, Recurrence, Slider, Trail
 from courseware.figures.compiler import coordinates
-from courseware.script import engine as script
+from courseware.symbols.formula_numbers import start_numbers
 
 
 @each_number
@@ -76,14 +75,6 @@ def test_a_handle_sets_what_puts_it_there(figure, n):
         assert_close(back, rows[there][:, columns], atol=ALLOWED)
 
 
-def symbol_numbers(figure):
-    """Every number of the start that has a symbol, as a page tells it."""
-    return script.run(
-        f"((figure, state) => courseware.numbersBySymbol(figure, state, courseware.compute("
-        f"figure, courseware.settings(figure, state))))({figure.code}, {started(figure)})"
-    )
-
-
 def test_numbers_are_told_by_symbol():
     """Sliders, readouts and named steps that are quantities; in SI and as shown."""
     theta, v = motion_formulas.theta, motion_formulas.v
@@ -94,7 +85,7 @@ def test_numbers_are_told_by_symbol():
         readouts=(Readout(v, digits=1), Readout("twice", "twice", 2 * a, "m")),
         sentence="{v}",
     )
-    numbers = symbol_numbers(figure)
+    numbers = start_numbers(figure)
     assert {key: number["text"] for key, number in numbers.items()} == {
         "motion.theta": "30°",
         "motion.x": "0.5 m",

@@ -231,8 +231,9 @@ def test_declaration(equation):
 
 
 @each_check
-def test_a_tolerance_is_small(check):
-    assert check.tolerance < 1e-9, (
+def test_a_tolerance_is_small_and_has_its_reason(check):
+    assert check.reason
+    assert 0 < check.tolerance < 1e-9, (
         f"{check.name} has the tolerance {check.tolerance:.1g}, allowed below 1e-9: roundings are "
         "some 1e-15, more is a mistake or another formula"
     )
@@ -261,10 +262,6 @@ def test_a_module_declares_a_symbol_once(chapter):
 def test_declaring_half_is_refused():
     with pytest.raises(CourseError, match=r"test.unknown uses unheard_of, which no `quantity"):
         replace(SPEED, name="test.unknown", right=sp.Symbol("unheard_of"))
-
-
-def test_a_tolerance_has_its_reason():
-    assert all(check.tolerance > 0 and check.reason for check in CHECKS.values())
 
 
 # A symbol belongs to the module that declares it

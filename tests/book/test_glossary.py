@@ -14,18 +14,13 @@ TERMS = re.search(r"```{glossary}\n(.*?)```", (BOOK / "glossary.md").read_text("
 ENTRIES = [entry.split("\n", 1) for entry in re.split(r"\n\n(?=\S)", TERMS[1].strip())]
 
 
-def page_words(page):
-    """Return all that a chapter says, in text and code."""
-    notebook = nbformat.read(course().notebook(page.partition("/")[0]), as_version=4)
-    return "\n".join(cell.source for cell in notebook.cells).lower()
-
-
 @pytest.mark.parametrize(("terms", "meaning"), ENTRIES, ids=[terms for terms, _ in ENTRIES])
 def test_a_term_is_used_where_the_glossary_sends_to(terms, meaning):
     """One of its names, each word of it: "active and passive" may be two sentences."""
     pages = re.findall(r"\{doc\}`(?:[^`<]*<)?([^`>]+)", meaning)
     assert pages, f"say of {terms!r} which chapter uses it"
-    said = page_words(pages[0])
+    notebook = nbformat.read(course().notebook(pages[0].partition("/")[0]), as_version=4)
+    said = "\n".join(cell.source for cell in notebook.cells).lower()
     assert any(
         all(word in said for word in name.split() if word not in ("and", "of"))
         for name in terms.lower().split(", ")

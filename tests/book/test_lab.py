@@ -9,7 +9,7 @@ import time
 from contextlib import contextmanager
 
 import pytest
-from browser import watched_page
+from browser import pull, watched_page
 from declared import COURSE, EXERCISES
 from support import ROOT
 
@@ -194,7 +194,4 @@ def drag(page, handle):
     handle.scroll_into_view_if_needed()
     box = handle.bounding_box()
     x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
-    page.mouse.move(x, y)
-    page.mouse.down()
-    page.mouse.move(x, y - 200, steps=5)
-    page.mouse.up()
+    pull(page, (x, y), (x, y - 200), steps=5)

@@ -81,11 +81,6 @@ def test_a_mistake_is_shown_in_its_chapter_under_its_title(mistake):
     assert above == title, f"above `{cell}` in {home}.ipynb: {title}, not {above!r}"
 
 
-def users(mistake):
-    """The exercises in which a mistake can be made."""
-    return [exercise for exercise in EXERCISES.values() if mistake in exercise.wrong]
-
-
 def last_made(code, numbers):
     """The last new name that our own code gives a value, run with the chapters' imports."""
     modules = {name: getattr(robokin, name) for name in robokin.__all__}
@@ -98,7 +93,7 @@ def last_made(code, numbers):
 @each_mistake
 def test_a_mistake_is_used_and_its_line_makes_it(mistake):
     """The line, run with the document's numbers, gives what the exercise calls that mistake."""
-    shown_in = [exercise for exercise in users(mistake) if exercise.example]
+    shown_in = [e for e in EXERCISES.values() if mistake in e.wrong and e.example]
     assert shown_in, "no exercise with an example has it"
     exercise = shown_in[0]
     numbers = {**exercise.example, **exercise.derive(**exercise.example)}

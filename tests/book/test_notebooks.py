@@ -32,13 +32,6 @@ def cells(path):
     return nbformat.read(path, as_version=4).cells
 
 
-def nbval(path):
-    """nbval over one notebook, alone and strict, as CI runs it."""
-    command = [sys.executable, "-m", "pytest", "--nbval", "-q", "-p", "no:cacheprovider"]
-    command += ["-c", str(ROOT / "pyproject.toml"), str(path)]
-    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
-
-
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 def test_every_cell_has_run_in_order_without_error(path):
     numbers = []
@@ -62,7 +55,7 @@ def test_stored_as_it_is_written(path):
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
-def test_pictures_have_a_text_alternative(path):
+def test_pictures_are_light_and_have_a_text_alternative(path):
     for cell in cells(path):
         for output in cell.get("outputs", []):
             if "image/png" in output.get("data", {}):
@@ -72,6 +65,14 @@ def test_pictures_have_a_text_alternative(path):
                     f'"…"}}}}: {cell.source}'
                 )
                 assert output.metadata["image/png"]["width"] > 0, "run `make notebooks`"
+                png = base64.b64decode(output.data["image/png"])
+                picture = Image.open(io.BytesIO(png))
+                again = f"run `make notebooks T={path.stem}` for the picture of: {cell.source}"
+                assert picture.mode == "P", again
+                assert len(picture.getcolors()) <= stored_outputs.COLOURS, again
+                assert len(png) < LARGEST, (
+                    f"{len(png)} bytes, at most {LARGEST}: draw less, or smaller: {cell.source}"
+                )
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
@@ -187,24 +188,6 @@ def test_an_expression_that_fails_is_named(tmp_path):
         written(tmp_path, new_code_cell("v = 0"), prose_cell("At 9 m.", ["At {1 / v:.0f} m"]))
 
 
-# Pictures
-
-
-@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
-def test_pictures_are_light(path):
-    for cell in cells(path):
-        for output in cell.get("outputs", []):
-            if "image/png" in output.get("data", {}):
-                png = base64.b64decode(output.data["image/png"])
-                picture = Image.open(io.BytesIO(png))
-                again = f"run `make notebooks T={path.stem}` for the picture of: {cell.source}"
-                assert picture.mode == "P", again
-                assert len(picture.getcolors()) <= stored_outputs.COLOURS, again
-                assert len(png) < LARGEST, (
-                    f"{len(png)} bytes, at most {LARGEST}: draw less, or smaller: {cell.source}"
-                )
-
-
 # nbval bites
 
 
@@ -221,7 +204,9 @@ def test_nbval_sees_a_changed_picture_and_stale_prose(tmp_path):
     path = tmp_path / FRAMES.name
     nbformat.write(notebook, path)
     shutil.copy(ROOT / "conftest.py", tmp_path)
-    run = nbval(path)
+    command = [sys.executable, "-m", "pytest", "--nbval", "-q", "-p", "no:cacheprovider"]
+    command += ["-c", str(ROOT / "pyproject.toml"), str(path)]  # strict, as CI runs it
+    run = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
     assert run.returncode == 1
     assert "the stored output differs in image/png" in run.stdout
     stale = set(re.findall(r"cell \d+: numbers in the text are stale", run.stdout))

@@ -7,7 +7,7 @@ from math import pi
 import numpy as np
 import pytest
 import sympy as sp
-from support import contrast
+from support import contrast, normals
 
 from book import things
 from book.things import space
@@ -176,11 +176,8 @@ MESHES = {
 def test_faces_look_outwards(name):
     """Else they would be left out when they look at the reader."""
     for mesh in MESHES[name]:
-        corners = np.array(mesh.corners)
-        for face in mesh.faces:
-            q = corners[list(face)]
-            up = sum(np.cross(a, b) for a, b in zip(q, np.roll(q, -1, axis=0), strict=True))
-            assert np.dot(up, q.mean(axis=0) - corners.mean(axis=0)) >= 0
+        inside = np.mean(mesh.corners, axis=0)
+        assert all(np.dot(middle - inside, up) >= 0 for middle, up in normals(mesh))
         assert {mesh.kind, mesh.edge} <= TONES.keys()
 
 

@@ -6,11 +6,10 @@ import itertools
 import numpy as np
 import pytest
 from arguments import DATA, MODULES, PARAMETERS, STEPS, TABLE, bind, public_functions
+from support import METHODS
 
 from robokin.errors import RobokinError
 from robokin.frames import compose
-
-METHODS = ("exact", "midpoint", "start", "end")
 
 
 def call(label, **changed):

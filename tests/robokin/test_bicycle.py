@@ -5,7 +5,7 @@ import mpmath
 import numpy as np
 import pytest
 from hypothesis import assume, given
-from support import EPS, NEAR_ZERO, assert_close, poses, reals
+from support import EPS, METHODS, NEAR_ZERO, assert_close, poses, reals
 
 from robokin import motion
 from robokin.bicycle import (
@@ -21,7 +21,6 @@ from robokin.bicycle import (
     turning_radius,
 )
 
-METHODS = ["exact", "midpoint", "start", "end"]
 QUARTER = np.pi / 2
 
 speeds = reals(-3, 3)

@@ -8,6 +8,7 @@ import scipy.linalg
 from hypothesis import given
 from support import (
     EPS,
+    METHODS,
     NEAR_ZERO,
     assert_angles,
     assert_close,
@@ -26,8 +27,6 @@ from robokin.motion import (
     to_world,
     wrap_angle,
 )
-
-METHODS = ["exact", "midpoint", "start", "end"]
 
 speeds = reals(-3, 3)
 rates = reals(-3, 3)

@@ -5,7 +5,7 @@ import mpmath
 import numpy as np
 import pytest
 from hypothesis import given
-from support import EPS, assert_close, poses, reals
+from support import EPS, METHODS, assert_close, poses, reals
 
 from robokin import differential_drive, motion
 from robokin.errors import RobokinError
@@ -19,9 +19,7 @@ from robokin.odometry import (
     velocity,
 )
 
-METHODS = ["exact", "midpoint", "start", "end"]
 ROBOT = (500, 0.05, 0.3)  # ticks a turn, wheel radius, wheel distance
-NAN = np.nan
 ENDS = [[-0.1, 0.1]]
 
 ticks = st.integers(-300, 300)

@@ -225,6 +225,8 @@ def test_the_differential_drive_of_exercise_4():
     assert_close(inverse(DIFFERENTIAL, [0, 0.075, 0.25], theta=QUARTER), [5 / 3, 10 / 3], 32 * EPS)
 
 
+ROUND = [fixed(0.3, a, 0, 0.1) for a in (0, 2, 4)]
+STUCK = [fixed(0.3, a, 0.5 * a, 0.1) for a in (0, 2, 4)]
 STANDARD = {
     "differential drive": (DIFFERENTIAL, (2, 0, 2)),
     "differential drive and castor": (
@@ -246,19 +248,10 @@ STANDARD = {
     "two steered wheels": (TWO_STEERED, (1, 2, 3)),
     "three steered wheels": ([*TWO_STEERED, steered(*spoke_to(0, 0.4), 0.1)], (1, 2, 3)),
     "four steered wheels": ([steered(0.4, a, 0, 0.1) for a in (0.7, 2.4, -0.7, -2.4)], (1, 2, 3)),
-    "fixed wheels round a centre": ([fixed(0.3, a, 0, 0.1) for a in (0, 2, 4)], (1, 0, 1)),
-    "the same and a steered one": (
-        [*(fixed(0.3, a, 0, 0.1) for a in (0, 2, 4)), steered(0.5, 1, 0, 0.1)],
-        (1, 0, 1),
-    ),
-    "fixed wheels in each other's way": (
-        [fixed(0.3, a, 0.5 * a, 0.1) for a in (0, 2, 4)],
-        (0, 0, 0),
-    ),
-    "the same and a steered one, stuck": (
-        [*(fixed(0.3, a, 0.5 * a, 0.1) for a in (0, 2, 4)), steered(0.5, 1, 0, 0.1)],
-        (0, 0, 0),
-    ),
+    "fixed wheels round a centre": (ROUND, (1, 0, 1)),
+    "the same and a steered one": ([*ROUND, steered(0.5, 1, 0, 0.1)], (1, 0, 1)),
+    "fixed wheels in each other's way": (STUCK, (0, 0, 0)),
+    "the same and a steered one, stuck": ([*STUCK, steered(0.5, 1, 0, 0.1)], (0, 0, 0)),
     "two fixed axles, parallel": (
         [fixed(*spoke_to(0, 0), 0.1), fixed(*spoke_to(1, 0), 0.1)],
         (1, 0, 1),

@@ -4,6 +4,7 @@ import json
 
 import numpy as np
 import pytest
+from browser import pull
 from declared import FIGURES
 from figure_numbers import (
     TYPICAL,
@@ -40,10 +41,7 @@ def test_a_handle_taken_at_its_edge_does_not_jump(figure, alone):
         start, values = live.state(), live.values()
         spots = [live.spot(place, values) for place in range(len(figure.handles))]
         x, y = [spot for spot in spots if np.isfinite(spot).all()][-1]  # some are nowhere yet
-        live.page.mouse.move(x + 6, y + 6)
-        live.page.mouse.down()
-        live.page.mouse.move(x + 6, y + 6)
-        live.page.mouse.up()
+        pull(live.page, (x + 6, y + 6), (x + 6, y + 6), steps=1)
         assert live.state() == pytest.approx(start, abs=1e-9)
 
 

@@ -11,7 +11,7 @@ from types import SimpleNamespace
 
 import pyodide
 import pytest
-from browser import watched_page
+from browser import UNFOLD, watched_page
 from playwright.sync_api import expect
 from support import ROOT
 from test_run import CHAPTERS, PAGE, code_cells, names, shown_cells, stored
@@ -94,17 +94,11 @@ def page(server, chromium):
         assert not [url for url in watch.strangers if not url.startswith(pyodide.PLACE)]
 
 
-OPEN = """() => {
-  for (const each of document.querySelectorAll("details")) each.open = true;
-  for (const each of document.querySelectorAll(".rk-prediction")) each.classList.add("rk-answered");
-}"""
-
-
 @pytest.fixture
 def cells(page, server):
     """The cells of a chapter, the first of which has been changed and run."""
     page.goto(f"{server}frames/frames.html")
-    page.evaluate(OPEN)
+    page.locator("main").evaluate(UNFOLD)
     cells = Cells(page)
     cells.open()
     began = time.monotonic()
@@ -173,7 +167,7 @@ def test_a_chapter_gives_in_the_page_what_is_stored(chapter, page, server, monke
     if not whole:
         pytest.skip(said)
     page.goto(f"{server}{chapter}/{chapter}.html")
-    page.evaluate(OPEN)
+    page.locator("main").evaluate(UNFOLD)
     cells = Cells(page)
     cells.open()
     for k, source in kept.items():

@@ -1,10 +1,7 @@
 """The page for addresses that lead nowhere, as servers show it: at any depth, under any path."""
 
-import functools
-import threading
-
 import pytest
-from browser import Quiet, Server, settled, watched_page
+from browser import Quiet, serving, settled, watched_page
 
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
@@ -33,12 +30,8 @@ def hosted(site, tmp_path_factory):
     (folder / "someone").mkdir()
     (folder / "someone" / "course").symlink_to(site)
     handler = type("Handler", (Hosted,), {"site": site})
-    with Server(("127.0.0.1", 0), functools.partial(handler, directory=str(folder))) as running:
-        thread = threading.Thread(target=running.serve_forever)
-        thread.start()
-        yield f"http://127.0.0.1:{running.server_port}/someone/course/"
-        running.shutdown()
-        thread.join()
+    with serving(folder, handler) as address:
+        yield f"{address}someone/course/"
 
 
 @pytest.mark.parametrize("place", ["gone.html", "euler/gone.html", "a/b/c/"])

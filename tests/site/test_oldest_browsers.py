@@ -40,16 +40,18 @@ NEWER_STYLES = "|".join(
 def scripts(site):
     """All that we write for the browser, by name: files, and scripts in a page."""
     static = site / "_static"
-    ours = ["courseware/all.js", "site.js", "search.js", *(f"run/{n}.js" for n in RUN)]
+    ours = [
+        "courseware/all.js",
+        "site.js",
+        "search.js",
+        *(f"run/{n}.js" for n in ("cells", "editor", "worker")),
+    ]
     found = {name: (static / name).read_text("utf-8") for name in ours}
     found["pages"] = (static / "pages" / "differential_drive-differential_drive.js").read_text(
         "utf-8"
     )
     sheets = ROOT / "courseware" / "classroom" / "sheet.js"
     return {**found, "sheet.js": sheets.read_text("utf-8"), **inline(site)}
-
-
-RUN = ("cells", "editor", "worker")
 
 
 def inline(site):
@@ -63,17 +65,14 @@ def inline(site):
     }
 
 
-def parser():
-    engine = MiniRacer()
-    engine.eval((ROOT / "tests" / "site" / "vendor" / "acorn" / "acorn.js").read_text("utf-8"))
-    return lambda text, version: engine.eval(
-        f"acorn.parse({json.dumps(text)}, {{ecmaVersion: {version}, sourceType: 'module'}}); 0"
-    )
-
-
 def test_the_oldest_browsers_can_read_all_scripts(site):
-    parse = parser()
-    found = scripts(site)
+    found, engine = scripts(site), MiniRacer()
+    engine.eval((ROOT / "tests" / "site" / "vendor" / "acorn" / "acorn.js").read_text("utf-8"))
+
+    def parse(text, version):
+        options = f"{{ecmaVersion: {version}, sourceType: 'module'}}"
+        engine.eval(f"acorn.parse({json.dumps(text)}, {options}); 0")
+
     for name, text in found.items():
         try:
             parse(text, LANGUAGE)

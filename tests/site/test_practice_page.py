@@ -62,15 +62,6 @@ def page(opened):
     assert not faults
 
 
-@pytest.fixture
-def first_visit(chromium, server):
-    """The practice page before it has loaded any numbers; it must stay quiet and at home."""
-    with watched_page(chromium, server) as (page, watch):
-        page.goto(server + "practice.html")
-        yield page
-        assert not watch.errors + watch.strangers
-
-
 def again(page):
     """Load the page anew, and wait for the numbers of those in sight."""
     page.reload()
@@ -81,12 +72,6 @@ def menu(page):
     """The menu of the answers, open."""
     page.evaluate("() => { document.querySelector('.rk-menu').open = true; }")
     return page.locator(".rk-menu")
-
-
-def away_and_back(page):
-    """Another student, and Ada again: what is shown then is what was kept."""
-    sign_in(page, "Bob")
-    sign_in(page, "Ada")
 
 
 def sign_in(page, name):
@@ -132,6 +117,9 @@ def variant(exercise, name):
     return variants.find_variant(COURSE, exercise, name)
 
 
+RIGHT = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])  # Ada's answer
+
+
 # what is said of several answers, one after the other
 TOLD = """(box, texts) => texts.map((text) => {
   const field = box.querySelector(".rk-row input");
@@ -141,22 +129,14 @@ TOLD = """(box, texts) => texts.map((text) => {
 })"""
 
 
-def assert_every_candidate_is_named(page, exercise):
-    mine = variant(exercise.name, "Ada")
-    number = variants.choose_variant(COURSE, exercise.name, "Ada")
-    box(page, exercise.name).scroll_into_view_if_needed()
-    page.locator(f"#{exercise.name}[data-variant='{number}']").wait_for()
-    texts = [typed(candidate.rows, exercise) for candidate in mine.candidates]
-    said = box(page, exercise.name).evaluate(TOLD, texts)
-    assert said == [
-        printed(judging.judge(exercise, mine.candidates, text).feedback) for text in texts
-    ]
-
-
-@pytest.mark.parametrize("name", [f"{EXERCISES[name].topic}:{name}" for name in OF_EACH_KIND])
+@pytest.mark.parametrize("name", OF_EACH_KIND, ids=lambda name: f"{EXERCISES[name].topic}:{name}")
 def test_every_candidate_of_each_kind_of_answer_is_named_on_the_page(page, name):
+    exercise, possible = EXERCISES[name], variant(name, "Ada").candidates
     sign_in(page, "Ada")
-    assert_every_candidate_is_named(page, EXERCISES[name.partition(":")[2]])
+    come_to(page, name, "Ada")
+    texts = [typed(candidate.rows, exercise) for candidate in possible]
+    said = box(page, name).evaluate(TOLD, texts)
+    assert said == [printed(judging.judge(exercise, possible, text).feedback) for text in texts]
 
 
 def test_the_browser_deals_as_python_does(page):
@@ -184,14 +164,13 @@ def test_what_cannot_be_read_counts_for_nothing(page):
 def test_progress_is_kept_and_cleared(page):
     """And a further try takes nothing away."""
     sign_in(page, "Ada")
-    right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
-    assert answer(page, FIRST, right) == candidates.RIGHT
+    assert answer(page, FIRST, RIGHT) == candidates.RIGHT
     assert page.inner_text(".rk-progress").startswith("1 of ")
     assert answer(page, FIRST, "1.2345") == judging.format_feedback("wrong")
     assert page.inner_text(".rk-progress").startswith("1 of ")
     again(page)
     assert page.input_value("#rk-student") == "Ada"
-    assert box(page, FIRST).locator(".rk-row input").input_value() == right
+    assert box(page, FIRST).locator(".rk-row input").input_value() == RIGHT
     assert page.inner_text(".rk-progress").startswith("1 of ")
     sign_in(page, "Bob")
     assert page.inner_text(".rk-progress").startswith("0 of ")
@@ -294,22 +273,23 @@ def test_who_gives_no_name_is_told(page):
     assert NAMELESS not in page.inner_text(".rk-progress")
 
 
-def test_what_is_typed_while_the_numbers_load_stays(first_visit):
+def test_what_is_typed_while_the_numbers_load_stays(chromium, server):
     """On a slow line a student types faster than the numbers come."""
-    page = first_visit
     held, numbers = [], "**/_static/practice/differential_drive.js*"
-    page.route(numbers, lambda route: held.append(route))
-    page.fill("#rk-student", "Ada")
-    with page.expect_request(numbers):
-        page.keyboard.press("Tab")
-        box(page, FIRST).scroll_into_view_if_needed()
-    right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
-    field = box(page, FIRST).locator(".rk-row input")
-    field.fill(right)
-    field.press("Enter")
-    held[0].continue_()
-    box(page, FIRST).get_by_text(candidates.RIGHT, exact=True).wait_for()
-    assert field.input_value() == right
+    with watched_page(chromium, server) as (page, watch):
+        page.goto(server + "practice.html")
+        page.route(numbers, lambda route: held.append(route))
+        page.fill("#rk-student", "Ada")
+        with page.expect_request(numbers):
+            page.keyboard.press("Tab")
+            box(page, FIRST).scroll_into_view_if_needed()
+        field = box(page, FIRST).locator(".rk-row input")
+        field.fill(RIGHT)
+        field.press("Enter")
+        held[0].continue_()
+        box(page, FIRST).get_by_text(candidates.RIGHT, exact=True).wait_for()
+        assert field.input_value() == RIGHT
+        assert not watch.errors + watch.strangers
 
 
 def test_answers_are_saved_as_grade_reads_them(page, tmp_path):
@@ -344,13 +324,12 @@ def saved(page, folder):
 def test_what_was_not_checked_is_saved_too(page, tmp_path):
     """Also after the page was loaded again; it takes no pass away, and training is not saved."""
     sign_in(page, "Ada")
-    right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
-    assert answer(page, FIRST, right) == candidates.RIGHT
+    assert answer(page, FIRST, RIGHT) == candidates.RIGHT
     box(page, FIRST).locator(".rk-row input").fill("12345")
     box(page, "differential-drive-2").locator(".rk-row input").fill("1, 2")
     box(page, "euler-2").get_by_role("button", name="Another one").click()
     box(page, "euler-2").locator(".rk-row input").fill("7")
-    wanted = {FIRST: right, "differential-drive-2": "1, 2"}
+    wanted = {FIRST: RIGHT, "differential-drive-2": "1, 2"}
     assert saved(page, tmp_path) == wanted
     again(page)
     assert page.inner_text(".rk-progress").startswith("1 of ")
@@ -421,7 +400,8 @@ def test_a_ladder_from_where_to_look_to_the_answer(page, site):
     help.click()
     assert f"{mine.candidates[0].rows[0][0]:.3f}" in ladder(page, name)
     assert help.is_hidden()
-    away_and_back(page)
+    sign_in(page, "Bob")
+    sign_in(page, "Ada")
     assert box(page, name).locator(".rk-passed").inner_text() == "passed with help: 1 of 2 steps"
 
 
@@ -442,19 +422,16 @@ def test_numbers_that_do_not_come_are_told_and_asked_for_again(chromium, server)
         first.scroll_into_view_if_needed()
         first.get_by_text("could not be loaded").wait_for()
         field = first.locator(".rk-row input")
-        right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
-        field.fill(right)
+        field.fill(RIGHT)
         field.press("Enter")
         first.get_by_text("could not be loaded").wait_for()
         assert "wheels" not in first.locator(".rk-text").inner_text()
         assert not first.locator(".rk-verdict").inner_text()
         page.unroute(numbers)
         first.get_by_role("button", name="Try again").click()
-        page.locator(
-            f"#{FIRST}[data-variant='{variants.choose_variant(COURSE, FIRST, 'Ada')}']"
-        ).wait_for()
-        assert field.input_value() == right
-        assert answer(page, FIRST, right) == candidates.RIGHT
+        come_to(page, FIRST, "Ada")
+        assert field.input_value() == RIGHT
+        assert answer(page, FIRST, RIGHT) == candidates.RIGHT
 
 
 def test_the_bar_says_who_and_how_far(page):
@@ -464,8 +441,7 @@ def test_the_bar_says_who_and_how_far(page):
     bar.wait_for()
     assert bar.locator("button").inner_text() == "ADA"
     assert f"0 of {len(EXERCISES)} in the course" in bar.inner_text()
-    right = typed(variant(FIRST, "ada").candidates[0].rows, EXERCISES[FIRST])
-    assert answer(page, FIRST, right) == candidates.RIGHT  # the same student
+    assert answer(page, FIRST, RIGHT) == candidates.RIGHT  # the same student
     assert f"1 of {len(EXERCISES)} in the course" in bar.inner_text()
     sign_in(page, " ada")
     assert page.inner_text(".rk-progress").startswith("1 of ")
@@ -489,8 +465,7 @@ def test_the_bar_comes_and_the_end_of_a_chapter_stays(chromium, server):
 def test_answers_are_taken_along(page, chromium, server, tmp_path):
     """By the file: on another computer they are checked again."""
     sign_in(page, "Ada")
-    right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
-    answer(page, FIRST, right)
+    answer(page, FIRST, RIGHT)
     answer(page, "euler-1", "1, 2, 3")
     saved(page, tmp_path)
     with watched_page(chromium, server) as (other, _):
@@ -498,15 +473,14 @@ def test_answers_are_taken_along(page, chromium, server, tmp_path):
         other.set_input_files("[type=file]", tmp_path / "saved.csv")
         other.get_by_text(ONE_PASSED).wait_for()
         assert other.input_value("#rk-student") == "Ada"
-        assert box(other, FIRST).locator(".rk-row input").input_value() == right
+        assert box(other, FIRST).locator(".rk-row input").input_value() == RIGHT
         box(other, "euler-1").get_by_text("Not yet").wait_for()
 
 
 def test_two_courses_on_one_host_share_no_answers(page, chromium, server):
     """Their names tell them apart, for answers and for the numbers that are dealt."""
     sign_in(page, "Ada")
-    right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
-    answer(page, FIRST, right)
+    answer(page, FIRST, RIGHT)
     assert page.inner_text(".rk-progress").startswith("1 of ")
     other = page.context.new_page()
 
@@ -562,8 +536,7 @@ def test_answers_are_loaded_from_what_platforms_make_of_them(page):
 def test_of_a_file_the_newer_answers_count_and_the_right_ones(page, tmp_path):
     """Who worked at two computers loses no pass, and not what was typed last."""
     sign_in(page, "Ada")
-    right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
-    given = {FIRST: (2001, right), "euler-1": (2001, "5; 6; 7"), "bicycle-1": (2999, "2")}
+    given = {FIRST: (2001, RIGHT), "euler-1": (2001, "5; 6; 7"), "bicycle-1": (2999, "2")}
     for name in given:
         answer(page, name, "1" if len(EXERCISES[name].unknowns) == 1 else "[1, 2, 3]")
     here = page.evaluate(KEPT)
@@ -573,7 +546,7 @@ def test_of_a_file_the_newer_answers_count_and_the_right_ones(page, tmp_path):
     page.set_input_files("[type=file]", tmp_path / "other.csv")
     page.get_by_text(ONE_PASSED).wait_for()
     field = {name: box(page, name).locator(".rk-row input") for name in given}
-    expect(field[FIRST]).to_have_value(right)
+    expect(field[FIRST]).to_have_value(RIGHT)
     expect(field["euler-1"]).to_have_value("[1, 2, 3]")  # an older wrong one
     expect(field["bicycle-1"]).to_have_value("2")
     kept = page.evaluate(KEPT)
@@ -637,8 +610,7 @@ def test_a_full_browser_is_told_of(chromium, server):
         page.add_init_script(FULL)
         page.goto(server + "practice.html")
         sign_in(page, "Ada")
-        right = typed(variant(FIRST, "Ada").candidates[0].rows, EXERCISES[FIRST])
-        assert answer(page, FIRST, right) == candidates.RIGHT
+        assert answer(page, FIRST, RIGHT) == candidates.RIGHT
         assert ONE_PASSED in page.inner_text(".rk-progress")
         for place in (".rk-progress", ".rk-bar"):
             assert "keeps nothing more" in page.inner_text(place)

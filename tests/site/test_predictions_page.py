@@ -9,6 +9,7 @@ from playwright.sync_api import expect
 pytest_plugins = ["browser"]
 pytestmark = pytest.mark.browser
 
+HOME = "differential_drive/differential_drive.html"
 BUTTONS, NUMBER, GHOST = "ever-straighter", "how-fast", "where-after"
 # a card is in the figure that waits, and then at its own place
 CARDS = {GHOST: ":is(#guess, #where-after) .rk-card", "where-still": "#still .rk-card"}
@@ -17,25 +18,20 @@ INSIDE = "happens in real programs"  # in what the buttons open
 THERE = (-0.069, 0.126)  # where P is after 2 s
 
 
-@pytest.fixture(scope="module")
-def home(server):
-    return server + "differential_drive/differential_drive.html"
-
-
 @contextmanager
-def visited(chromium, server, home):
+def visited(chromium, server):
     """The chapter on a first visit; it must stay quiet and at home."""
     with watched_page(chromium, server) as (page, watch):
-        page.goto(home)
+        page.goto(server + HOME)
         card(page, GHOST).locator("form").wait_for()
         yield page
         assert not watch.errors + watch.strangers
 
 
 @pytest.fixture(scope="module")
-def opened(chromium, server, home):
+def opened(chromium, server):
     """The chapter, which most tests share."""
-    with visited(chromium, server, home) as page:
+    with visited(chromium, server) as page:
         yield page
 
 
@@ -110,8 +106,8 @@ def state(page):
     )
 
 
-def test_nothing_is_open_before_a_guess(chromium, server, home):
-    with visited(chromium, server, home) as page:
+def test_nothing_is_open_before_a_guess(chromium, server):
+    with visited(chromium, server) as page:
         for name in (BUTTONS, NUMBER, GHOST):
             assert not fold(page, name).is_visible()
         assert page.get_by_text(INSIDE).is_hidden()  # a Markdown cell with the tag
@@ -300,19 +296,19 @@ def test_guesses_are_kept_until_they_are_forgotten(page):
     assert page.evaluate("() => document.cookie") == ""
 
 
-def test_a_browser_that_keeps_nothing_is_told_of(chromium, home):
-    with watched_page(chromium, home) as (page, watch):
+def test_a_browser_that_keeps_nothing_is_told_of(chromium, server):
+    with watched_page(chromium, server) as (page, watch):
         page.add_init_script(FULL)
-        page.goto(home)
+        page.goto(server + HOME)
         page.get_by_role("button", name="it gets better").click()
         assert "keeps nothing" in page.locator(".rk-forget").inner_text()
         assert fold(page, BUTTONS).is_visible()
         assert not watch.errors
 
 
-def test_without_a_script_it_is_a_question_with_a_fold(chromium, home):
-    with watched_page(chromium, home, java_script_enabled=False) as (page, _):
-        page.goto(home)
+def test_without_a_script_it_is_a_question_with_a_fold(chromium, server):
+    with watched_page(chromium, server, java_script_enabled=False) as (page, _):
+        page.goto(server + HOME)
         box = page.locator(f"#{BUTTONS}")
         assert box.get_by_role("button").count() == 0
         box.scroll_into_view_if_needed()

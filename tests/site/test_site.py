@@ -408,15 +408,6 @@ def test_bad_tex_fails_the_build(tmp_path):
         assert "index.md:7: WARNING: TeX: Undefined control sequence: \\unknown" in run.stderr
 
 
-def set_to(folder, line):
-    """The settings of the site in a folder, with one line changed."""
-    name = line.partition(":")[0].strip()
-    text = (ROOT / "_config.yml").read_text("utf-8")
-    changed, count = re.subn(rf"(?m)^( +){name}:.*$", rf"\1{line}", text)
-    assert count == 1
-    (folder / "_config.yml").write_text(changed, "utf-8")
-
-
 @pytest.mark.parametrize(
     ("line", "name"),
     [
@@ -427,7 +418,10 @@ def set_to(folder, line):
     ],
 )
 def test_the_teacher_s_commands_know_the_course_of_the_site(tmp_path, line, name):
-    set_to(tmp_path, line)
+    text, setting = (ROOT / "_config.yml").read_text("utf-8"), line.partition(":")[0].strip()
+    changed, count = re.subn(rf"(?m)^( +){setting}:.*$", rf"\1{line}", text)
+    assert count == 1
+    (tmp_path / "_config.yml").write_text(changed, "utf-8")
     (tmp_path / "book").mkdir()
     known = Course("book", "own", {}, None)
     known.folder = tmp_path / "book"

@@ -1,7 +1,7 @@
 """Slides of chapters: keys lead through them, what is on them fits, figures are moved by hand."""
 
 import pytest
-from browser import settled, watched_page
+from browser import pull, settled, watched_page
 
 from courseware.course import course
 
@@ -58,10 +58,7 @@ def test_a_figure_is_dragged_and_escape_gives_the_keys_back(server, chromium):
             return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
         x, y = middle()
-        page.mouse.move(x, y)
-        page.mouse.down()
-        page.mouse.move(x - 60, y + 30, steps=5)
-        page.mouse.up()
+        pull(page, (x, y), (x - 60, y + 30), steps=5)
         assert middle() == pytest.approx((x - 60, y + 30), abs=3), "pixels; a slider has steps"
         handle.focus()
         page.keyboard.press("ArrowRight")

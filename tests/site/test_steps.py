@@ -4,7 +4,7 @@ import re
 
 import nbformat
 import pytest
-from browser import watched_page
+from browser import pull, watched_page
 from declared import FIGURES, each
 from figure_numbers import expected, point
 from figure_page import MADE, SHOW
@@ -75,10 +75,7 @@ def drag(live, place, wished):
     live.put(wished)
     there = live.centre(place)
     live.put(before)
-    live.page.mouse.move(*live.centre(place))
-    live.page.mouse.down()
-    live.page.mouse.move(*there, steps=8)
-    live.page.mouse.up()
+    pull(live.page, live.centre(place), there, steps=8)
 
 
 @in_browser
@@ -154,10 +151,7 @@ def test_a_goal_is_not_reached_by_passing_over_it(alone):
         mouse.move(end, height)
         mouse.up()
         assert reached(live) == [False]
-        mouse.move(end, height)
-        mouse.down()
-        mouse.move(middle, height)
-        mouse.up()
+        pull(live.page, (end, height), (middle, height), steps=1)
         assert reached(live) == [True]  # … and here it has let go
 
 

@@ -2,8 +2,10 @@
 
 import numpy as np
 import pytest
+from browser import pull
 from figure_page import CANCEL
 from small_figures import a, space_figure
+from test_touch import Finger, scrolls
 
 from courseware.figures import POINTER, Handle, Readout, Slider
 
@@ -29,10 +31,8 @@ def test_dragging_the_ground_turns_the_view(alone):
     with alone(TURNED) as live:
         box = live.picture.bounding_box()
         before = live.state()
-        live.page.mouse.move(box["x"] + 100, box["y"] + 100)
-        live.page.mouse.down()
-        live.page.mouse.move(box["x"] + 100 + box["width"] / 6, box["y"] + 140, steps=3)
-        live.page.mouse.up()
+        x, y = box["x"] + 100, box["y"] + 100
+        pull(live.page, (x, y), (x + box["width"] / 6, y + 40))
         across, down = 30, 180 * 40 / box["width"]
         # a magnet reaches 6 px: straight from the front is near
         assert degrees(live) == pytest.approx([before[1] - across, before[2] + down], abs=2)
@@ -47,10 +47,8 @@ def test_the_view_goes_all_round_and_stops_above(alone):
         box = live.picture.bounding_box()
         start = [box["x"] + 0.9 * box["width"], box["y"] + 20]
         for _ in range(3):  # to the left by 0.8 of half a turn each time: 432°, and up
-            live.page.mouse.move(*start)
-            live.page.mouse.down()
-            live.page.mouse.move(box["x"] + 0.1 * box["width"], start[1] + box["height"] / 2)
-            live.page.mouse.up()
+            end = box["x"] + 0.1 * box["width"], start[1] + box["height"] / 2
+            pull(live.page, start, end, steps=1)
         azimuth, elevation = degrees(live)
         # each of three drags rounds to a degree
         assert azimuth == pytest.approx(np.degrees(0.5) + 432 - 360, abs=2)
@@ -63,10 +61,7 @@ def test_a_handle_does_not_turn_the_view(alone):
     with alone(TURNED) as live:
         before = degrees(live)
         x, y = live.spot(0, {})
-        live.page.mouse.move(x, y)
-        live.page.mouse.down()
-        live.page.mouse.move(x - 80, y + 40, steps=3)
-        live.page.mouse.up()
+        pull(live.page, (x, y), (x - 80, y + 40))
         assert degrees(live) == before
         assert live.state()[0] != 0.5
 
@@ -75,22 +70,12 @@ def test_a_finger_across_turns_and_up_scrolls(alone):
     with alone(TURNED, width=390, has_touch=True, is_mobile=True) as live:
         live.page.evaluate("() => scrollTo(0, 0)")
         before, box = degrees(live), live.picture.bounding_box()
-        middle = np.array([box["x"] + box["width"] / 2, box["y"] + 40])
-        swipe(live.page, middle.tolist(), np.add(middle, [-90, 4]).tolist())
+        x, y, finger = box["x"] + box["width"] / 2, box["y"] + 40, Finger(live.page)
+        finger.drag(x, y, right=-90, down=4)
         after = degrees(live)
         assert after[0] == pytest.approx(before[0] + 180 * 90 / box["width"], abs=1)
-        assert live.page.evaluate("scrollY") == 0
-        swipe(live.page, np.add(middle, [0, 160]).tolist(), middle.tolist())
-
-
-def swipe(page, start, end):
-    """One finger from start to end."""
-    finger = page.context.new_cdp_session(page)
-    for step in range(6):
-        x, y = np.add(start, np.subtract(end, start) * min(step, 4) / 4).tolist()
-        kind = ["touchStart", *["touchMove"] * 4, "touchEnd"][step]
-        touches = [] if kind == "touchEnd" else [{"x": x, "y": y}]
-        finger.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": touches})
+        assert finger.scrolled() == 0
+        scrolls(finger, live, x, y + 160)
 
 
 def test_a_cancelled_turn_has_not_been(alone):

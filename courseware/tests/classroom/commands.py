@@ -7,11 +7,7 @@ from courseware.practice import variants
 from courseware.script import engine
 
 ONE = "differential-drive-1"
-
-
 ONLY = ("--only", ONE, "differential-drive-2")
-
-
 HEADING = "student,exercise,answer"
 
 

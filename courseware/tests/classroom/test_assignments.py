@@ -58,14 +58,8 @@ def complete(notebook, student):
     notebook.write_text(json.dumps(contents), "utf-8")
 
 
-@pytest.fixture
-def place(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
-
-
 @pytest.mark.parametrize("grader", ["nbgrader", "otter", "github"])
-def test_an_assignment_is_written_once(place, grader, capsys):
+def test_an_assignment_is_written_once(folder, grader, capsys):
     command = ["assignment", "bicycle", "--for", grader]
     assert run(*command) == 0
     assert "bicycle/judge.py" in capsys.readouterr().out.replace(os.sep, "/")
@@ -73,21 +67,21 @@ def test_an_assignment_is_written_once(place, grader, capsys):
     assert "--force" in capsys.readouterr().err
 
 
-def test_a_chapter_without_programs_is_refused(place, capsys):
+def test_a_chapter_without_programs_is_refused(folder, capsys):
     assert run("assignment", "motion", "--for", "otter") == 2
     assert "motion has no programs; there are those of elbow_arm, euler" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("student", STUDENTS)
-def test_a_file_is_judged_by_an_exit_code_with_numpy_alone(place, student):
+def test_a_file_is_judged_by_an_exit_code_with_numpy_alone(folder, student):
     assert run("assignment", "bicycle", "--for", "github", "--out", "work") == 0
     name, *_, words = STUDENTS[student]
-    file = place / "work" / f"{name.replace('-', '_')}.py"
+    file = folder / "work" / f"{name.replace('-', '_')}.py"
     texts = dict(solutions(student))
     file.write_text(f"import numpy as np\n\n\n{texts[PROGRAMS[name].definition.name]}\n", "utf-8")
     alone = {**os.environ, "PYTHONPATH": ""}
     command = [sys.executable, "judge.py", name, file.name]
-    said = subprocess.run(command, cwd=place / "work", env=alone, capture_output=True, text=True)
+    said = subprocess.run(command, cwd=folder / "work", env=alone, capture_output=True, text=True)
     assert said.returncode == (0 if student == "ada" else 1), said.stderr
     assert re.search(words, said.stdout), said.stdout
 
@@ -101,11 +95,11 @@ def test_a_file_is_judged_by_an_exit_code_with_numpy_alone(place, student):
         ("def step(pose): return pose", "no function car_step here: has it another name?"),
     ],
 )
-def test_a_file_that_gives_no_function_fails(place, text, words):
+def test_a_file_that_gives_no_function_fails(folder, text, words):
     assert run("assignment", "bicycle", "--for", "github", "--out", "work") == 0
-    (place / "work" / "bicycle_p1.py").write_text(text, "utf-8")
+    (folder / "work" / "bicycle_p1.py").write_text(text, "utf-8")
     command = [sys.executable, "judge.py", STEP, "bicycle_p1.py"]
-    said = subprocess.run(command, cwd=place / "work", capture_output=True, text=True)
+    said = subprocess.run(command, cwd=folder / "work", capture_output=True, text=True)
     assert said.returncode == 1
     assert words in said.stdout
 
@@ -138,44 +132,44 @@ def assert_told(student, told):
 
 
 @pytest.mark.install
-def test_nbgrader_grades_a_class(place, graders):
+def test_nbgrader_grades_a_class(folder, graders):
     assert run("assignment", "bicycle", "--for", "nbgrader", "--out", "source/bicycle") == 0
     Path("nbgrader_config.py").write_text("get_config().CourseDirectory.course_id = 'robots'\n")
-    graders(place, "nbgrader", "generate_assignment", "bicycle")
+    graders(folder, "nbgrader", "generate_assignment", "bicycle")
     for student in (*STUDENTS, BLANK):
-        folder = place / "submitted" / student / "bicycle"
-        folder.mkdir(parents=True)
-        notebook = place / "release" / "bicycle" / "bicycle.ipynb"
-        (folder / notebook.name).write_bytes(notebook.read_bytes())
+        own = folder / "submitted" / student / "bicycle"
+        own.mkdir(parents=True)
+        notebook = folder / "release" / "bicycle" / "bicycle.ipynb"
+        (own / notebook.name).write_bytes(notebook.read_bytes())
         if student != BLANK:
-            complete(folder / notebook.name, student)
+            complete(own / notebook.name, student)
     for command in ("autograde", "generate_feedback"):
-        graders(place, "nbgrader", command, "bicycle")
-    graders(place, "nbgrader", "export", "--to", "points.csv")
+        graders(folder, "nbgrader", command, "bicycle")
+    graders(folder, "nbgrader", "export", "--to", "points.csv")
     rows = [line.split(",") for line in Path("points.csv").read_text().splitlines()]
     student, score = rows[0].index("student_id"), rows[0].index("score")
     points = {row[student]: float(row[score]) for row in rows[1:]}
     assert points == POINTS
     for name in STUDENTS:
-        page = place / "feedback" / name / "bicycle" / "bicycle.html"
+        page = folder / "feedback" / name / "bicycle" / "bicycle.html"
         assert_told(name, re.sub("<[^>]+>", "", page.read_text("utf-8")).replace("&#39;", "'"))
 
 
 @pytest.mark.install
-def test_otter_grades_a_class(place, graders):
+def test_otter_grades_a_class(folder, graders):
     assert run("assignment", "bicycle", "--for", "otter", "--out", "master") == 0
-    graders(place / "master", "otter", "assign", "bicycle.ipynb", "dist")
-    dist = place / "master" / "dist"
+    graders(folder / "master", "otter", "assign", "bicycle.ipynb", "dist")
+    dist = folder / "master" / "dist"
     (archive,) = dist.glob("autograder/*.zip")
     for student in (*STUDENTS, BLANK):
-        folder = place / student
-        folder.mkdir()
-        notebook = folder / "bicycle.ipynb"
+        own = folder / student
+        own.mkdir()
+        notebook = own / "bicycle.ipynb"
         notebook.write_bytes((dist / "student" / "bicycle.ipynb").read_bytes())
         if student != BLANK:
             complete(notebook, student)
-        graders(folder, "otter", "run", "-a", str(archive), "bicycle.ipynb")
-        tests = json.loads((folder / "results.json").read_text("utf-8"))["tests"]
+        graders(own, "otter", "run", "-a", str(archive), "bicycle.ipynb")
+        tests = json.loads((own / "results.json").read_text("utf-8"))["tests"]
         assert sum(test.get("score", 0) for test in tests) == POINTS[student]
         if student != BLANK:
             assert_told(student, "\n".join(test["output"] for test in tests))

@@ -59,17 +59,13 @@ def answers(question):
                 for each in question.iter("answer")
             ]
         ]
-    text = without_style(question)
+    text = question.find("questiontext/text").text.replace(moodle.STYLE, "")
     found = []
     for field in FIELD.findall(text):
         parts = [ANSWER.fullmatch(part) for part in re.split(UNESCAPED, field)]
         found.append([(bool(p[1]), float(p[2]), float(p[3]), p[4]) for p in parts])
     assert text.count("{") == len(found)
     return found
-
-
-def without_style(question):
-    return question.find("questiontext/text").text.replace(moodle.STYLE, "")
 
 
 def judged(field, value):
@@ -169,11 +165,9 @@ def test_right_answers_pass_and_mistakes_do_not_and_are_named(exercise, question
     assert made or not exercise.wrong
 
 
-def has_one_unit(exercise):
-    return len(exercise.unknowns) == 1 and exercise.unknowns[0].unit
-
-
-@each("exercise", "exercises", Exercise, marks, has_one_unit)
+@each(
+    "exercise", "exercises", Exercise, marks, lambda e: len(e.unknowns) == 1 and e.unknowns[0].unit
+)
 def test_a_unit_is_demanded_and_read_as_on_the_page(exercise, questions):
     """Moodle ignores a unit that it does not know, unless units count: then it gives no marks."""
     variant = variants.all_variants(exercise.name)[0]

@@ -21,10 +21,10 @@ logger = logging.getLogger(__name__)
 VENDOR = Path(__file__).parents[1] / "_vendor" / "katex"
 
 RENDER = """
-function render(tex, displayMode, macros, output) {
+function render(tex, displayMode, output) {
   const ours = ({command}) => command === "\\\\htmlData"; // keys of symbols, which the site writes
   const strict = (code) => code === "htmlExtension" ? "ignore" : "error";
-  const options = {displayMode, macros, output, strict, trust: ours};
+  const options = {displayMode, output, strict, trust: ours};
   try { return {html: katex.renderToString(tex, options)}; }
   catch (error) { return {error: error.rawMessage || error.message || String(error)}; }
 }
@@ -96,9 +96,9 @@ def start_katex():
 
 
 @functools.cache
-def render(tex, display, macros=(), output="htmlAndMathml"):
-    """Return `{"html": …}` or `{"error": …}` of a formula; `macros` are pairs (name, TeX)."""
-    return start_katex().call("render", tex, display, dict(macros), output)
+def render(tex, display, output="htmlAndMathml"):
+    """Return `{"html": …}` or `{"error": …}` of a formula."""
+    return start_katex().call("render", tex, display, output)
 
 
 def locate(node):
@@ -113,9 +113,8 @@ def locate(node):
 
 def render_html(writer, node, tex, display, plain=None):
     """Return the HTML of a formula, or its TeX with a warning. plain: the text to copy."""
-    macros = tuple(sorted(writer.builder.config.katex_macros.items()))
     output = "html" if node.get("seen_only") else "htmlAndMathml"  # read aloud elsewhere
-    result = render(tex, display, macros, output)
+    result = render(tex, display, output)
     if "html" in result:
         copied = html.escape(plain or node.astext().strip(), quote=False)
         return PLAIN.sub(lambda _: f">{copied}</annotation>", result["html"])
@@ -178,7 +177,6 @@ def visit_display(writer, node):
 def setup(app):
     """Register the renderer `katex`."""
     app.add_html_math_renderer("katex", (visit_inline, None), (visit_display, None))
-    app.add_config_value("katex_macros", {}, "html", dict)
     app.add_js_file("katex/copy-tex.min.js", loading_method="defer")
     app.add_css_file("katex/katex.min.css", priority=300)
     app.connect("doctree-resolved", keep_punctuation)

@@ -192,7 +192,7 @@ def arm(l1, l2, l3, theta1, theta2, theta3, **_):
     return {"theta": np.array([theta1, theta2, theta3]), "lengths": np.array([l1, l2, l3])}
 
 
-OWN_RATES = "in ẋ and in ẏ each link turns only at the rate of its own joint"
+OWN_RATES = "when in ẋ and in ẏ each link turns only at the rate of its own joint"
 OWN_RATES_IN_X = "when in ẋ each link turns only at the rate of its own joint"
 OWN = WrongFormula(BOTH_ROWS, ALONE)
 OWN_IN_X = WrongFormula(X_ROW, ALONE)

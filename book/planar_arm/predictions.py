@@ -71,7 +71,7 @@ def ways(third: float) -> int:
 def where_both() -> str:
     """Say when P can move in every direction although the elbow is stretched."""
     bent, straight = ways(40) == 2, ways(0) == 2
-    return "always" if straight else "while link 3 is bent" if bent else "never"
+    return "always" if straight else "while joint 3 is bent" if bent else "never"
 
 
 def damped_at_singular() -> str:
@@ -178,18 +178,18 @@ PREDICTIONS = (
             assumptions={
                 "joint 1": "Then only weights on joints 2 and 3 are left. They balance on link 2.",
                 "joint 3": "Then only weights on joints 1 and 2 are left. They balance on link 1.",
-                "none": "A weight on the elbow would pull the balance point off that line.",
+                "none": "A weight on joint 2 would pull the balance point off that line.",
             },
         ),
-        explanation="Equal weights on joints 1 and 3 balance there: the elbow is free of "
-        "any weight.",
+        explanation="Equal weights on joints 1 and 3 balance there: joint 2, the elbow, is "
+        "free of any weight.",
         spoilers=("free of any weight",),
         covers="areas",
     ),
     Prediction(
         "ever-nearer",
-        "The wrist must move straight away from the base, at 10 cm/s. The elbow is at 1°, "
-        "then at 0.1°. How many times faster must joint 2 turn?",
+        "The wrist, joint 3, must move straight away from the base, at 10 cm/s. The elbow is at "
+        "1°, then at 0.1°. How many times faster must joint 2 turn?",
         Buttons(
             ("3 times", "10 times", "100 times"),
             right=times_faster,
@@ -208,7 +208,7 @@ PREDICTIONS = (
         "*rank* is the number of independent directions of motion. The elbow is stretched: when "
         "can P move in every direction?",
         Buttons(
-            ("always", "while link 3 is bent", "never"),
+            ("always", "while joint 3 is bent", "never"),
             right=where_both,
             assumptions={
                 "always": "On one straight line of links all levers lie along it, and P moves "

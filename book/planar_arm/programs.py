@@ -96,7 +96,7 @@ def draw_hand(right, answer, theta, rates, lengths):
 
 
 IN_VELOCITY = (last_joint_only, separate_rates, l_2_for_l_3, plus_sine, not_derived)
-IN_ROWS = {f"when {OWN_RATES}": OWN, OWN_RATES_IN_X: OWN_IN_X}
+IN_ROWS = {OWN_RATES: OWN, OWN_RATES_IN_X: OWN_IN_X}
 AT_LIMITS = {
     "stretched": {x: 0.9, y: 0.0, phi_hand: 0.0, l1: 0.5, l2: 0.3, l3: 0.1},
     "folded": {x: 0.5, y: 0.0, phi_hand: 0.0, l1: 0.8, l2: 0.5, l3: 0.2},

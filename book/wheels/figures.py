@@ -863,7 +863,7 @@ def castor_figure() -> Figure:
             things.castor((*HUB, ROLLS), 0, TRAIL_LAB),
             AngleArc(beta, HUB, alpha, alpha + beta, 0.075),
             Line("ghost", (HUB, (0, 0.4))),
-            Arrow("velocity", HUB, velocity, "pivot"),
+            Arrow("velocity", HUB, velocity, "its velocity"),
             Arrow(swivel, contact, tip),
             Length(d, HUB, contact, aside=-0.04),
             Point("icr", (0, 0.4), "Q"),
@@ -1410,7 +1410,7 @@ def laboratory_figure() -> Figure:
                     Abs(wish_omega) > 0.1,
                     Abs(twist[2] - wish_omega) < 0.01,
                 ),
-                "From “nothing yet”: what turns on the spot, never goes sideways. Wish for both.",
+                "From “nothing yet”: build what turns and never goes sideways. Wish for ω and v_y.",
             ),
             Goal(
                 And(is_robot["differential drive"], delta_m < 1.5, delta_m > 0.5, delta_s > 0.5),

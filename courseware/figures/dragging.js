@@ -71,7 +71,6 @@ export const addHandles = (live) => {
 };
 
 const ASIDE = [[0, 0], [0, -22], [22, 0], [0, 22], [-22, 0]];
-const CORNER = 48; // of the button Reset on a phone, with half a handle
 
 // Where the handles are drawn, in pixels: inside the picture, none under another nor under the button
 // in the corner. The one that was taken last keeps its place, others give way.
@@ -80,8 +79,8 @@ export const placeHandles = (live) => {
   const high = heightOf(live.figure, live.width);
   const inside = (x, end) => Math.min(end - margin, Math.max(margin, x));
   const free = ([x, y]) => found.every(([a, b]) => Math.hypot(x - a, y - b) > 18);
-  const seen = (x, y) => { // out of the corner the shorter way
-    const [left, down] = [x - live.width + CORNER, CORNER - y];
+  const seen = (x, y) => { // the shorter way out of the corner: a phone's button is 40 pixels wide
+    const [left, down] = [x - live.width + 48, 48 - y];
     return Math.min(left, down) < 0 ? [x, y] : left < down ? [x - left, y] : [x, y + down];
   };
   const order = [...live.handles.keys()].sort((a, b) => (b === live.last) - (a === live.last));

@@ -15,6 +15,7 @@ from courseware.errors import CourseError
 from courseware.units import refuse_other_than_si
 from courseware.units.formatting import append_unit, format_number
 
+_lambdify = cache(sp.lambdify)
 LONGEST = 110  # letters of a formula with numbers in it; a longer one is left out
 
 Unit = str | tuple[str, ...]
@@ -248,12 +249,7 @@ def compile_function(expression: Any, symbols: tuple[sp.Symbol, ...]) -> Callabl
         expression = expression.doit()
     if isinstance(expression, sp.MatrixBase):
         expression = expression.as_immutable()
-    return _lambdify(expression, symbols)
-
-
-@cache
-def _lambdify(expression: Any, symbols: tuple[sp.Symbol, ...]) -> Callable[..., Any]:
-    function: Callable[..., Any] = sp.lambdify(symbols, expression, modules="numpy")
+    function: Callable[..., Any] = _lambdify(symbols, expression, "numpy")
     return function
 
 

@@ -25,14 +25,10 @@ def describe_checks(checks: dict[str, Check]) -> list[str]:
     """Return the page as Markdown: each chapter's title and formulas."""
     entries = list[str]()
     for chapter, group in groupby(checks.values(), lambda check: check.name.partition(".")[0]):
-        entries += [f"## {_title(chapter)}", *map(_describe, group)]
+        shared = chapter not in course().taught  # by several chapters, without a notebook
+        title = chapter.replace("_", " ").capitalize() if shared else course().title(chapter)
+        entries += [f"## {title}", *map(_describe, group)]
     return entries
-
-
-def _title(chapter: str) -> str:
-    """Return a chapter's title, or the name of one that several chapters share."""
-    is_taught = chapter in course().taught
-    return course().title(chapter) if is_taught else chapter.replace("_", " ").capitalize()
 
 
 def _describe(check: Check) -> str:

@@ -34,7 +34,7 @@ const fillSlots = ({ name, numbers }) => {
 };
 
 // On a phone the formula is below the screen while a hand moves its figure: it comes in sight until the
-// page is scrolled, at that end where the hand is not.
+// page is scrolled, at that end where the hand is not, nor the picture if there is room.
 const unpin = () => document.querySelector(".rk-pinned")?.classList.remove("rk-pinned");
 const pinNumbers = (figure, { name }) => {
   const hand = figure.courseware?.held?.by ?? (figure.contains(document.activeElement) && document.activeElement);
@@ -43,7 +43,9 @@ const pinNumbers = (figure, { name }) => {
   if (!numbers || numbers.matches(".rk-pinned") || numbers.getBoundingClientRect().bottom < innerHeight) return;
   unpin();
   numbers.classList.add("rk-pinned");
-  const isLow = hand.getBoundingClientRect().bottom > innerHeight - numbers.offsetHeight;
+  const boxes = [hand, figure.querySelector(".rk-picture")].map((each) => each.getBoundingClientRect());
+  const [low, under] = boxes.map(({ bottom }) => bottom > innerHeight - numbers.offsetHeight);
+  const isLow = low || under && boxes.every(({ top }) => top > numbers.offsetHeight);
   numbers.style.inset = isLow ? "var(--rk-top, 0) 0 auto" : "";
   addEventListener("scroll", unpin, { once: true });
 };

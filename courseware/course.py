@@ -2,7 +2,7 @@
 
 A course is a package with a folder for each chapter; `_toc.yml` gives the order. Modules of a
 chapter have fixed names (`formulas`, `checks`, `figures`, `exercises`, …): each value that a module
-holds under a name, alone or in a tuple or dictionary, is declared. A package opens itself::
+holds under a name, alone or in a tuple, list or dictionary, is declared. A package opens itself::
 
     open_course(__name__, name="kinematics", looks=KINDS, library="robokin")
 

@@ -115,6 +115,14 @@ def test_a_package_does_not_import(package, others):
     assert not wrong, f"{package} stands alone: {wrong}"
 
 
+def test_the_library_s_tests_need_no_course():
+    """They also run where there is none: in the Python of a browser."""
+    files = {name_of(path): path for path in (ROOT / "tests" / "robokin").glob("*.py")}
+    found = (i for name, path in files.items() for i in imports_of(name, path.read_text("utf-8")))
+    wrong = describe_imports(i for i in found if within(i.of, "book", "courseware"))
+    assert not wrong, wrong
+
+
 def part_of(module):
     """The part of the framework that a module belongs to, or None."""
     package, _, rest = module.partition(".")

@@ -1,4 +1,4 @@
-"""The picture of README.md: a figure in its start position, light and dark.
+"""The pictures of README.md: a figure in its start position, light and dark.
 
 python tools/readme_pictures.py       into .github, after a change of the figure
 """

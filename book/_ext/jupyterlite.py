@@ -7,8 +7,9 @@
 A browser keeps what a student has changed, in a place of its own for each course and version: else
 an edited copy would hide every later notebook of that name.
 
-Three places name one version of Pyodide, and a test compares them: `course_python`
-(`courseware/site/__init__.py`), `book/_vendor/pyodide` and `jupyterlite-pyodide-kernel`.
+Four places name one version of Pyodide, and tests compare them: `course_python`
+(`courseware/site/__init__.py`), `book/_vendor/pyodide`, `jupyterlite-pyodide-kernel` and
+`tests/pyodide.py`.
 """
 
 import hashlib

@@ -9,7 +9,7 @@ line with the student's name).
 Settings: `course_name` (the salt that picks each student's numbers; by default the course's own
 name), `course_solutions`, `course_wheels` and `course_lock` (needed by a downloaded notebook),
 `course_python` (the address of the Python that runs in a page), `course_katex` (renders the
-formulas in its results).
+formulas in its results), `course_editor` (in which a cell is changed).
 
 A figure gets onto a page in three steps. A cell stores its name (`figures/figure.py`). `outputs.py`
 finds the declaration and has it compiled and drawn (`figures/compiler.py`, `script/engine.py`).

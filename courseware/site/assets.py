@@ -31,7 +31,7 @@ def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any
     names = dict.fromkeys(node["figure"] for node in raws if "figure" in node)
     still = [find_picture(name) for node in raws for name in node.get("still", ())]
     figures = list(map(find_figure, names))
-    globals_ = {**_share_meshes(figures), "coursewareSymbols": symbol_facts(page)}
+    globals_ = {**_figure_data(figures), "coursewareSymbols": symbol_facts(page)}
     if figures or still:
         context["body"] = render_outlines([*figures, *still]) + body
     if any(globals_.values()):
@@ -46,7 +46,7 @@ def add_assets(app: Sphinx, page: str, template: str, context: Any, doctree: Any
     context["metatags"] = f"{context.get('metatags', '')}\n{tag}"
 
 
-def _share_meshes(figures: Iterable[Figure]) -> dict[str, list[Any]]:
+def _figure_data(figures: Iterable[Figure]) -> dict[str, list[Any]]:
     """Return the figures of a page, and the meshes of their solids, each of them once."""
     meshes: dict[str, Code] = {}
 

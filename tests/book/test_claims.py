@@ -2,8 +2,12 @@
 
 import numpy as np
 import pytest
+import sympy as sp
+from declared import EQUATIONS
+from support import EPS, assert_close
 
-from robokin import elbow_arm, motion, odometry
+from book.prose import read_figure
+from robokin import elbow_arm, motion, odometry, planar_arm
 
 
 def test_numpy_inverts_a_singular_matrix_without_an_error():
@@ -106,3 +110,49 @@ def test_with_one_wheel_held_the_ellipse_is_a_line():
     carried, _ = drive_by_levers(0.0, 0.3)
     long, short = odometry.ellipse(carried)[0]
     assert short < 1e-6 * long  # rounding, under a root
+
+
+def test_m9_goes_unnoticed_in_the_figure_at_one_heading():
+    """Nobody, says M9, notices it in the figure with a heading of 120°."""
+
+    def apart(degrees):
+        heading = {"mistake": "No inverse", "db_turn": np.radians(degrees)}
+        return float(read_figure("wrong-object", "apart", **heading))
+
+    assert apart(120) < 10 * EPS
+    assert apart(119) > 0.01
+    assert apart(121) > 0.01
+
+
+@pytest.mark.parametrize("metres", [1.0, 0.01])
+def test_the_nearest_motion_is_that_of_a_length_of_one_metre(metres):
+    """The laboratory's bicycle, asked for all three speeds; in centimetres it is another motion."""
+    asked = np.array([0.15, 0.15, 0.5])
+    wished = dict(zip(("wish_v", "wish_vy", "wish_omega"), asked, strict=True), robot="bicycle")
+    shown = [read_figure("wheel-laboratory", name, **wished) for name in ("v", "v_y", "omega")]
+    ahead = 0.3  # m: there the front wheel is, steered as the wish moves it; it puts the ICR aside
+    allowed = np.array([ahead * asked[0] / (asked[1] + ahead * asked[2]), 0.0, 1.0])
+    weights = np.array([1, 1, metres])
+    size = (weights * allowed) @ (weights * asked) / np.sum((weights * allowed) ** 2)
+    assert np.allclose(shown, size * allowed, rtol=0, atol=1e-12) == (metres == 1)
+
+
+def test_the_command_takes_the_error_back():
+    """The chapter's command, carried out by the library: 1 - K dt of an error is left."""
+    formula = EQUATIONS["planar_arm.command"]
+    command = sp.lambdify(formula.symbols, list(formula.right), "numpy")
+    gain, dt, wanted = 2.0, 1e-6, np.array([0.5, 0.45, 0.1])
+    theta, lengths = np.array([0.5, 1.0, -1.5]), [0.4, 0.3, 0.1]
+    error = wanted - planar_arm.forward(theta, lengths)
+    values = {"gain": gain, "vx_d": 0.0, "vy_d": 0.0, "omega_d": 0.0}
+    values |= dict(zip(["x_d", "y_d", "phi_d"], wanted, strict=True))
+    values |= dict(zip(["x", "y", "phi_hand"], planar_arm.forward(theta, lengths), strict=True))
+    twist = command(*(values[str(symbol)] for symbol in formula.symbols))
+    after = wanted - planar_arm.forward(
+        theta + planar_arm.joint_rates(theta, twist, lengths) * dt, lengths
+    )
+    # second order in dt: up to 5 rad/s, squared, times 1 m and dt²; and EPS of a metre
+    assert_close(after, (1 - gain * dt) * error, atol=25 * dt**2 + 4 * EPS)
+    # in the wanted pose the wanted velocity is all that is commanded
+    values |= {"x": 0.5, "y": 0.45, "phi_hand": 0.1, "vx_d": 0.3, "vy_d": 0.2, "omega_d": -1}
+    assert command(*(values[str(symbol)] for symbol in formula.symbols)) == [0.3, 0.2, -1]

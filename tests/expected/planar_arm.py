@@ -460,7 +460,7 @@ PREDICTED = {  # prediction → what is right; where numbers are typed, the wron
     ),
     "who-rests": "joint 2",
     "ever-nearer": "10 times",
-    "a-free-hand": "while link 3 is bent",
+    "a-free-hand": "while joint 3 is bent",
     "damped-to-the-end": "0",
     "without-a-look": "5 cm off",
     "too-much-feedback": "6",

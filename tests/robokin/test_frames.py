@@ -24,7 +24,6 @@ from support import (
     vectors,
 )
 
-from book.prose import read_figure
 from robokin.errors import RobokinError
 from robokin.frames import (
     FrameGraph,
@@ -602,14 +601,3 @@ def test_what_a_path_needs_grows_with_its_length():
     tracemalloc.stop()
     assert path == [f"f{n}" for n in range(1001)]
     assert most < 500 * len(path)  # bytes: a few names and entries for each; half a million in all
-
-
-def test_m9_goes_unnoticed_in_the_figure_at_one_heading():
-    # Mistake M9 says that nobody notices it in the figure with a heading of 120°
-    def apart(degrees):
-        heading = {"mistake": "No inverse", "db_turn": np.radians(degrees)}
-        return float(read_figure("wrong-object", "apart", **heading))
-
-    assert apart(120) < 10 * EPS
-    assert apart(119) > 0.01
-    assert apart(121) > 0.01

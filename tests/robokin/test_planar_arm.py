@@ -4,11 +4,9 @@ import hypothesis.strategies as st
 import mpmath
 import numpy as np
 import pytest
-import sympy
 from hypothesis import assume, given
 from support import EPS, NEAR_ZERO, angles, assert_angles, assert_close, reals, twists, vectors
 
-from courseware.equations import find_equation
 from robokin.errors import RobokinError, SingularError, UnreachableError
 from robokin.planar_arm import (
     ellipse,
@@ -517,22 +515,3 @@ def test_the_round_trip_of_the_inverse_with_50_digits():
                 turned = abs(mpmath.sin((heading - mpmath.mpf(p[2])) / 2)) * 2
                 worst = max(worst, gap, turned)
     assert worst <= 1e-14  # as for the elbow arm, in general; φ itself is up to 9.4 rad
-
-
-def test_the_command_takes_the_error_back():
-    """The chapter's command, carried out by the library: 1 - K dt of an error is left."""
-    formula = find_equation("planar_arm.command")
-    command = sympy.lambdify(formula.symbols, list(formula.right), "numpy")
-    gain, dt, wanted = 2.0, 1e-6, np.array([0.5, 0.45, 0.1])
-    theta = np.array([0.5, 1.0, -1.5])
-    error = wanted - forward(theta, LENGTHS)
-    values = {"gain": gain, "vx_d": 0.0, "vy_d": 0.0, "omega_d": 0.0}
-    values |= dict(zip(["x_d", "y_d", "phi_d"], wanted, strict=True))
-    values |= dict(zip(["x", "y", "phi_hand"], forward(theta, LENGTHS), strict=True))
-    twist = command(*(values[str(symbol)] for symbol in formula.symbols))
-    after = wanted - forward(theta + joint_rates(theta, twist, LENGTHS) * dt, LENGTHS)
-    # second order in dt: up to 5 rad/s, squared, times 1 m and dt²; and EPS of a metre
-    assert_close(after, (1 - gain * dt) * error, atol=25 * dt**2 + 4 * EPS)
-    # in the wanted pose the wanted velocity is all that is commanded
-    values |= {"x": 0.5, "y": 0.45, "phi_hand": 0.1, "vx_d": 0.3, "vy_d": 0.2, "omega_d": -1}
-    assert command(*(values[str(symbol)] for symbol in formula.symbols)) == [0.3, 0.2, -1]

@@ -8,7 +8,6 @@ import pytest
 from hypothesis import assume, given
 from support import EPS, NEAR_ZERO, angles, assert_close, reals, twists, vectors
 
-from book.prose import read_figure
 from robokin import bicycle, differential_drive, motion
 from robokin.errors import RobokinError, SingularError, UnreachableError
 from robokin.wheels import (
@@ -606,16 +605,3 @@ def test_a_mecanum_wheels_slip_is_seen_along_its_rollers_axis_only():
     assert_close(axis @ (ground - rim), found, atol=4 * EPS)
     assert abs(found + 0.0088) < 1e-4  # as the chapter prints it
     assert (ground - rim)[0] < 3 * found  # along the rolling direction it is another number
-
-
-@pytest.mark.parametrize("metres", [1.0, 0.01])
-def test_the_nearest_motion_is_that_of_a_length_of_one_metre(metres):
-    """The laboratory's bicycle, asked for all three speeds; in centimetres it is another motion."""
-    asked = np.array([0.15, 0.15, 0.5])
-    wished = dict(zip(("wish_v", "wish_vy", "wish_omega"), asked, strict=True), robot="bicycle")
-    shown = [read_figure("wheel-laboratory", name, **wished) for name in ("v", "v_y", "omega")]
-    ahead = 0.3  # m: there the front wheel is, steered as the wish moves it; it puts the ICR aside
-    allowed = np.array([ahead * asked[0] / (asked[1] + ahead * asked[2]), 0.0, 1.0])
-    weights = np.array([1, 1, metres])
-    size = (weights * allowed) @ (weights * asked) / np.sum((weights * allowed) ** 2)
-    assert np.allclose(shown, size * allowed, rtol=0, atol=1e-12) == (metres == 1)

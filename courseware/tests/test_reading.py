@@ -329,6 +329,7 @@ def test_what_is_meant_is_among_the_readings(text, asks, value):
     [
         ("0.5 m/s", RATE, "unit"),
         ("0.5 rad", RATE, "unit"),
+        ("sin(-30°), 1", POINT, "function"),  # not in newtons, nor in degrees
         ("0.2 rad/s, 0.1 m/s", TWIST, "unit"),  # in the order of the question, or of the units?
         ("50 cm, 1", POINT, "units"),
         ("1 m + 2 cm", WIDTH, "units"),

@@ -106,13 +106,8 @@ class OnPage:
         place = self.figure.controls.index(control)
         return self.root.locator(f"[data-i='{place}']:not(button, [type=radio]:not(:checked))")
 
-    def is_shown(self, control):
-        """Return whether a control is there: some are only while they act."""
-        place = self.figure.controls.index(control)
-        return self.root.locator(f".rk-controls [data-i='{place}']").first.is_visible()
-
     def acts(self, control):
-        """Return whether a control is there, maybe in a fold: else a key would scroll."""
+        """Return whether a control is there, maybe in a fold: some are only while they act."""
         place = self.figure.controls.index(control)
         return not self.root.locator(f".rk-control[hidden] [data-i='{place}']").count()
 

@@ -16,7 +16,7 @@
 
 import { evaluateGroup } from "./calculating.js";
 import { nestBrackets } from "./nesting.js";
-import { describeRefusal, INVISIBLE, listMeanings, MAX_LENGTH, refuse, tokenize } from "./tokenizing.js";
+import { describeRefusal, FUNCTIONS, INVISIBLE, listMeanings, MAX_LENGTH, refuse, tokenize } from "./tokenizing.js";
 import { DEGREES, UNITS } from "../units/constants.js";
 
 const NAME = /(\p{L}[\p{L}\p{M}\p{Nd}_']*)\s*[=≈≃≅≡:]\s*/gu;
@@ -53,7 +53,8 @@ export const listUnits = (unknowns) => [...new Set(unknowns.map(unitsOfSize))].m
 // The units of a text, and the text without them. Degrees of an angle stay: 90° + 0.5 rad is a sum.
 // Most texts have none, and are read four times as fast; a function is refused where it is computed.
 const takeUnits = (text, unknowns) => {
-  if (!/[\p{L}°º˚%]/u.test(text) || /sin|cos|tan/iu.test(text)) return { units: [], rest: text };
+  const calls = text.toLowerCase().match(/\p{L}+/gu)?.some((word) => FUNCTIONS.includes(word));
+  if (calls || !/[\p{L}°º˚%]/u.test(text)) return { units: [], rest: text };
   const units = [], written = [...text.matchAll(WRITTEN)].map(([, name]) => name);
   const known = unknowns.some(({ unit }) => unit === "rad") || PRODUCT.test(text);
   if (known && written.every(isDegree)) return { units, rest: text };

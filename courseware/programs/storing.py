@@ -65,7 +65,7 @@ def store(program: Program) -> dict[str, Any]:
         "circle": circle.tolist(),
         "angles": [unknown.unit.startswith("rad") for unknown in program.answer],
         "tolerance": np.where(circle, SIZE, SIZE * np.maximum(size, LEAST)).tolist(),
-        "compared_value": _write_compared(program, rights[0], given[0]),
+        "compared_value": _write_compared_value(program, rights[0], given[0]),
         "library": course().library,
         "cases": [
             {"special": special, "near": near, "arguments": each, "right": right}
@@ -86,7 +86,7 @@ def _name_part(stem: str, shape: tuple[int, ...]) -> Any:
     return np.array(sp.symbols(f"{stem}:{np.prod(shape)}", real=True)).reshape(shape)
 
 
-def _write_compared(program: Program, right: list[float], given: list[Any]) -> str:
+def _write_compared_value(program: Program, right: list[float], given: list[Any]) -> str:
     """Return what an answer does as Python: of `given`, all numbers of answer and arguments."""
     if not program.compared_value:
         return ""

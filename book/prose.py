@@ -8,7 +8,7 @@ from typing import Any
 from courseware.course import course
 from courseware.figures import Choice, Slider
 from courseware.figures.figure import find_figure
-from courseware.symbols.live_numbers import start_text
+from courseware.symbols.formula_numbers import start_text
 
 __all__ = ["digit_and_power", "get_names", "read_figure", "start_text"]
 

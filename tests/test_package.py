@@ -113,6 +113,7 @@ def test_a_notebook_needs_nothing_of_what_builds_the_site():
     code = """import sys
 sys.modules.update(docutils=None, sphinx=None, myst_nb=None)
 from book.odometry import figures
+from book import prose
 from courseware import equations, practice, predictions
 figures.dark_figure()._repr_mimebundle_()
 predictions.ask("held-wheel")

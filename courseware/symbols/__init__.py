@@ -5,13 +5,13 @@ code. Figures mark their own.
 """
 
 from courseware.script.parts import Part, register
-from courseware.symbols import page
+from courseware.symbols import lexicon
 
 register(
     Part(
         name="symbols",
         page="courseware/symbols/symbols.js:startSymbols",
         styles=("courseware/symbols/symbols.css",),
-        rules=page.rules,
+        rules=lexicon.render_rules,
     )
 )

@@ -16,7 +16,7 @@ from courseware.equations.latex import align_lines, render_latex
 from courseware.equations.quantities import NamedSymbol
 from courseware.equations.text import format_symbol, split_fraction
 from courseware.errors import CourseError
-from courseware.figures.figure import Figure
+from courseware.figures.figure import Figure, find_figure
 from courseware.script import engine
 from courseware.symbols import lexicon
 
@@ -31,6 +31,24 @@ def start_numbers(figure: Figure) -> Numbers:
     """Return the numbers of an untouched figure, `{value, text}`, by the keys of their symbols."""
     found: Numbers = engine.run(f"{START_NUMBERS}({figure.code}, courseware)")
     return found
+
+
+def find_key(figure: Figure, name: str) -> str:
+    """Return the key of a quantity of a figure, by its name."""
+    keys = start_numbers(figure)
+    for key in keys:
+        if key.split(".")[1] == name:
+            return key
+    raise CourseError(
+        f"a sentence follows {name} of the figure {figure.name}, which shows no such quantity; "
+        f"there are {', '.join(keys)}"
+    )
+
+
+def start_text(figure: str, name: str) -> str:
+    """Return a quantity of an untouched figure with its unit, as a sentence shows it."""
+    found = find_figure(figure)
+    return str(start_numbers(found)[find_key(found, name)]["text"])
 
 
 def split_lines(equation: Equation, computed: bool) -> list[tuple[Any, Any]]:

@@ -134,3 +134,12 @@ def symbol_data(symbol: NamedSymbol, chapter: str) -> str:
     """Return the argument from which KaTeX makes `data-symbol` and `data-look`."""
     kind = find_kind(symbol, chapter)
     return f"symbol={symbol.key}" + (f",look={kind}" if kind else "")
+
+
+def render_rules() -> str:
+    """Return CSS that colours letters as their quantities."""
+    return "".join(
+        f'html[data-theme] :is(.katex, .highlight, .rk-named, p) [data-look="{kind}"] '
+        f"{{ color: color-mix(in srgb, var(--rk-{kind}) 85%, currentcolor); }}\n"
+        for kind in course().looks
+    )

@@ -18,29 +18,11 @@ from sphinx.errors import ExtensionError
 
 from courseware.equations.quantities import find_kind
 from courseware.errors import CourseError
-from courseware.figures.figure import Figure, find_figure
+from courseware.figures.figure import find_figure
 from courseware.symbols import lexicon
-from courseware.symbols.formula_numbers import start_numbers
+from courseware.symbols.formula_numbers import find_key, start_text
 
 FIELD = re.compile(r"{(\w+)}")
-
-
-def find_key(figure: Figure, name: str) -> str:
-    """Return the key of a quantity of a figure, by its name."""
-    keys = start_numbers(figure)
-    for key in keys:
-        if key.split(".")[1] == name:
-            return key
-    raise CourseError(
-        f"a sentence follows {name} of the figure {figure.name}, which shows no such quantity; "
-        f"there are {', '.join(keys)}"
-    )
-
-
-def start_text(figure: str, name: str) -> str:
-    """Return a quantity of an untouched figure with its unit, as a sentence shows it."""
-    found = find_figure(figure)
-    return str(start_numbers(found)[find_key(found, name)]["text"])
 
 
 def render_slot(figure: str, name: str, chapter: str) -> str:

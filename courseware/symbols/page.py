@@ -1,4 +1,4 @@
-"""Symbols on a chapter's page: formulas marked with keys, facts for the script, colours."""
+"""Symbols on a chapter's page: formulas marked with keys, facts for the script."""
 
 import re
 from functools import cache
@@ -67,12 +67,3 @@ def describe_symbol(symbol: NamedSymbol, chapter: str) -> list[str]:
     printed = "" if letter == symbol.name and re.match("[a-z]{3}", letter) else letter
     code = symbol.code if names.get(symbol.code) == symbol else ""
     return [printed, symbol.meaning, symbol.unit, find_kind(symbol, chapter), code]
-
-
-def rules() -> str:
-    """Return CSS that colours letters as their quantities."""
-    return "".join(
-        f'html[data-theme] :is(.katex, .highlight, .rk-named, p) [data-look="{kind}"] '
-        f"{{ color: color-mix(in srgb, var(--rk-{kind}) 85%, currentcolor); }}\n"
-        for kind in course().looks
-    )

@@ -318,9 +318,10 @@ def assert_lost(result, clean, depends, value):
 
 
 def same(entry, n):
-    """The working data, n times over."""
+    """The working data, n times over; row by row in memory, as NumPy may add up in another order
+    where it is not, and what is compared to the last digit would differ by it."""
     return {
-        key: np.array(np.broadcast_to(entry.args[key].value, (n, *entry.args[key].core)))
+        key: np.broadcast_to(entry.args[key].value, (n, *entry.args[key].core)).copy("C")
         for key in entry.having(*DATA)
     }
 

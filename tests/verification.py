@@ -110,7 +110,7 @@ def evaluate_exactly(expression, symbols, points, where=(), cse=False):
 
 @lru_cache(maxsize=1024)  # a loop asks for its step many times
 def _in_mpmath(symbols, expression, cse):
-    return sp.lambdify(symbols, expression, modules=[MPMATH, "mpmath"], cse=cse)
+    return sp.lambdify(symbols, expression, modules=[MPMATH, "mpmath"], cse=cse, docstring_limit=0)
 
 
 def _real(value):

@@ -7,6 +7,7 @@ from typing import Any
 from sympy import (
     Abs,
     And,
+    Lt,
     Matrix,
     Max,
     Min,
@@ -190,13 +191,13 @@ def second_end_stays() -> dict[Any, Any]:
 
 def outside(place: Any, pose: Any) -> Any:
     """Return how far a place is outside the car, as a rectangle; below 0 inside of it."""
+    # as written, which is quicker
+    size, most, least, root = (partial(f, evaluate=False) for f in (Abs, Max, Min, sqrt))
     dx, dy = place[0] - pose[0], place[1] - pose[1]
     forward = dx * cos(pose[2]) + dy * sin(pose[2]) - (FRONT + REAR) / 2
-    beyond = Abs(forward) - (FRONT - REAR) / 2
-    beside = Abs(dy * cos(pose[2]) - dx * sin(pose[2])) - WIDTH / 2
-    # as written, which is quicker
-    most, least = partial(Max, evaluate=False), partial(Min, evaluate=False)
-    return sqrt(most(beyond, 0) ** 2 + most(beside, 0) ** 2) + least(most(beyond, beside), 0)
+    beyond = size(forward) - (FRONT - REAR) / 2
+    beside = size(dy * cos(pose[2]) - dx * sin(pose[2])) - WIDTH / 2
+    return root(most(beyond, 0) ** 2 + most(beside, 0) ** 2) + least(most(beyond, beside), 0)
 
 
 EACH = 60  # poses on each arc at which the car is measured, at most 9 cm apart
@@ -215,7 +216,7 @@ def closest(gap: tuple[float, float]) -> Recurrence:
             *(outside(a, other) for a in corners(pose)[:4]), evaluate=False)
         for other in parked
     ] + [Min(*(corner[1] for corner in corners(pose)[:4]), evaluate=False)]  # fmt: skip
-    touches = And(hit > 2, Or(*(far < 0 for far in near)))
+    touches = And(hit > 2, Or(*(Lt(far, 0, evaluate=False) for far in near)))
     step = (*along(pose, steered, -way / EACH), k + 1,
             *(Min(a, b, evaluate=False) for a, b in zip(least, near, strict=True)),
             Piecewise((k / EACH, touches), (hit, True)))  # fmt: skip

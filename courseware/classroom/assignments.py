@@ -101,7 +101,7 @@ def write_opening(chapter: str) -> Iterator[NotebookNode]:
 
 def write_question(program: Program) -> str:
     """Return what is asked, as on the page; its hints open one another."""
-    return f"## {program.title}\n\n{program.text}\n\n{render_hints(program)}"
+    return f"## {program.title}\n\n{program.text}\n\n{render_hints(program, solution=False)}"
 
 
 def variable(program: Program) -> str:

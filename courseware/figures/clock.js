@@ -6,7 +6,7 @@ import { clamp, snap } from "./state.js";
 export const prefersReducedMotion = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 // Screen readers say which figure the button belongs to.
-export const nameButton = (button, words, { title }) => {
+const nameButton = (button, words, { title }) => {
   button.textContent = words;
   button.ariaLabel = `${words}: ${title}`;
 };

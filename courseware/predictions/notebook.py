@@ -8,10 +8,10 @@ MIME = "application/vnd.courseware.prediction+json"
 
 def ask(name: str) -> Output:
     """Ask the reader for a prediction, by its name."""
-    return render_prediction(find_prediction(name))
+    return show_prediction(find_prediction(name))
 
 
-def render_prediction(p: Prediction) -> Output:
+def show_prediction(p: Prediction) -> Output:
     """Render a prediction as the value of a cell; a page finds it by its name."""
     options = p.answers.options if isinstance(p.answers, Buttons) else ()
     question = "\n".join([f"**Your guess first.** {p.question}\n", *(f"- {o}" for o in options)])

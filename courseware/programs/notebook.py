@@ -45,7 +45,7 @@ def render(program: Program, solution: bool = True) -> str:
     )
 
 
-def render_hints(program: Program, solution: bool = False) -> str:
+def render_hints(program: Program, solution: bool) -> str:
     """Render the hints; each opens the way to the next, the last one to a solution."""
     code = escape(program.solution.strip())
     fold = f"<details><summary>A solution</summary><pre>{code}</pre></details>" if solution else ""

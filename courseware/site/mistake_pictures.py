@@ -16,7 +16,7 @@ def dark_colours() -> str:
     return " ".join(map(str.strip, DARK.findall(parts.join_styles("figures"))))
 
 
-def find_picture(mistake: Mistake) -> Figure:
+def find_mistake_figure(mistake: Mistake) -> Figure:
     """Return the figure of the mistake's chapter that has the mistake as an option."""
     home = course().find_chapter("exercises", mistake)
     module = course().module(home, "figures")
@@ -31,7 +31,7 @@ def find_picture(mistake: Mistake) -> Figure:
 
 def draw_picture(mistake: Mistake) -> str:
     """Return the picture as an SVG file; its address ends in #dark for a dark page."""
-    svg = find_picture(mistake).render_svg(mistake=mistake.title)
+    svg = find_mistake_figure(mistake).render_svg(mistake=mistake.title)
     tag, _, content = svg.partition(">")
     style = f"<style>#dark:target {{ {dark_colours()} }}</style>"
     return tag.replace("<svg", '<svg id="dark"', 1) + f">{style}{content}"

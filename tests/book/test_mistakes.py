@@ -62,7 +62,7 @@ still = cache(mistake_pictures.draw_picture)
 @each_mistake
 def test_a_picture_shows_its_mistake_in_a_figure_of_its_chapter(mistake):
     """And no other mistake's; on a dark page in dark colours."""
-    figure = mistake_pictures.find_picture(mistake)
+    figure = mistake_pictures.find_mistake_figure(mistake)
     choices = [c for c in figure.controls if isinstance(c, Choice)]
     assert len(choices) == 1, f"{figure.name} needs one Choice, named mistake: {choices}"
     alike = [m.name for m in MISTAKES.values() if m is not mistake and still(m) == still(mistake)]

@@ -15,7 +15,7 @@ from book.differential_drive.formulas import b, v_L, v_R
 from book.motion.formulas import theta
 from courseware.figures import figure
 from courseware.predictions import Ghost, Number, Prediction
-from courseware.predictions.notebook import MIME, render_fold, render_prediction
+from courseware.predictions.notebook import MIME, render_fold, show_prediction
 from courseware.predictions.page import TAG
 from courseware.script import engine
 
@@ -164,7 +164,7 @@ def text(source, *tags):
 
 
 def test_in_a_notebook_the_answer_is_folded():
-    data = render_prediction(RATE)._repr_mimebundle_()
+    data = show_prediction(RATE)._repr_mimebundle_()
     question, _, fold = data["text/markdown"].partition("<details>")
     assert "0.5 rad/s" in fold
     assert "0.5" not in question + data["text/plain"]

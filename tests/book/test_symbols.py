@@ -149,10 +149,11 @@ def as_number(text):
     return float(digits) * unit, 0.5 * 10.0 ** -len(digits.partition(".")[2]) * unit
 
 
-def agrees(equation, computed, figure, count):
+@pytest.mark.parametrize(("equation", "computed", "figure"), followed())
+def test_the_numbers_of_a_formula_are_those_of_its_figure(equation, computed, figure):
     """Every slot says its number to its last digit, and each right side gives the left one."""
     tex = Slots(equation, figure, CHAPTERS[0]).render_tex(computed)
-    rows = numbers_of(figure, count)
+    rows = numbers_of(figure, 200)
     told = [[(numbers[flags["symbol"]], flags) for flags in slots(tex)] for numbers in rows]
     write = "(row) => row.map((pair) => courseware.formatSlot(...pair))"
     for numbers, texts in zip(told, engine.run(f"{json.dumps(told)}.map({write})"), strict=True):
@@ -172,12 +173,6 @@ def agrees(equation, computed, figure, count):
         near = apart <= 1e-9 * np.maximum(1, abs(expected))  # rounding, many times over
         assert near.any(), left
         assert (near | np.isnan(apart)).all(), left
-
-
-@pytest.mark.parametrize(("equation", "computed", "figure"), followed())
-def test_the_numbers_of_a_formula_are_those_of_its_figure(equation, computed, figure):
-    """At 200 settings."""
-    agrees(equation, computed, figure, 200)
 
 
 DRIVE, MOTION = (course().module(c, "formulas") for c in ("differential_drive", "motion"))

@@ -8,6 +8,7 @@ import numpy as np
 import sympy as sp
 from numpy.typing import ArrayLike, NDArray
 from sympy.printing.jscode import JavascriptCodePrinter
+from sympy.simplify.cse_main import tree_cse
 
 from courseware.equations.equation import Where, as_written
 from courseware.equations.functions import IN_SCRIPT
@@ -79,7 +80,8 @@ def compile_javascript(
     printer = _JavaScript(names)
     lines = []
     with as_written():
-        shared, values = sp.cse([sp.sympify(e) for e in expressions], order="none")
+        given = [*map(sp.sympify, expressions)]
+        shared, values = tree_cse(given, sp.numbered_symbols(), order="none")
         for place, (symbol, expression) in enumerate([*where, *shared]):
             lines.append(f"const t{place} = {_one_line(printer, expression)};")
             names[symbol] = f"t{place}"

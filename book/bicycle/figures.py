@@ -830,14 +830,14 @@ def steps_figure() -> Figure:
 
 def conventions_figure() -> Figure:
     """Draw one vehicle whose pose is told in two ways."""
-    pose = along((0, 0, UP), THIRTY, PACE * t, LENGTH)
+    pose = along((0, -LENGTH, UP), THIRTY, PACE * t, LENGTH)  # O starts at the origin
     front = point_of(pose, LENGTH)
     here = tuple(rear_way * a + front_way * b for a, b in zip(pose, front, strict=False))
     compass = UP - pose[2]
     return Figure(
         name="conventions",
         title="The long vehicle in a turn, its pose told from the rear or from the front axle",
-        view=(-15.5, 11, -2.2, 15.8),
+        view=(-15.5, 11, -9.2, 8.8),
         ground="asphalt",
         controls=(
             Choice.one_hot(
@@ -848,7 +848,7 @@ def conventions_figure() -> Figure:
         ),
         shapes=(
             Arrow("x_axis", (0, 0), (4, 0), "x"),
-            Arrow("y_axis", (0, 0), (0, 12.5), "y"),
+            Arrow("y_axis", (0, 0), (0, 6.5), "y"),
             long_car(pose, THIRTY, PACE * t),
             Line("ghost", (here, (here[0] + 5 * rear_way, here[1] + 5 * front_way))),
             *when(rear_way > 0, AngleArc(theta, here, 0, pose[2], 2.5)),

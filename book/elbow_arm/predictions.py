@@ -205,6 +205,7 @@ PREDICTIONS = (
             places=(theta2, theta3),
             right=tuple(Float(x) for x in FACING_DOWN[1:]),
             then={borders: Float(1)},
+            free=(theta2, theta3),
             tolerance=4,
             assumptions={
                 "That is the elbow that you started with.": tuple(Float(x) for x in FACING_UP[1:])

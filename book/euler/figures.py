@@ -976,7 +976,7 @@ def sequences() -> Choice:
         return (*axes, int(seq.islower()))
 
     options = {name: numbers(name) for name in (*SEQUENCES, *map(str.lower, SEQUENCES))}
-    label = "sequence (XYZ: own axes, xyz: fixed axes)"
+    label = "sequence (XYZ: own axes, xyz: the room's)"
     return Choice("sequence", label, (*outer, *mid, *inner, fixed), options, start="ZXZ")
 
 

@@ -678,7 +678,7 @@ frames_10 = Exercise(
         "y": number_range(-1.6, 1.6, 0.2, "m"),
     },
     unknowns=tuple(
-        Unknown(f"{axis}, {what}", "m") for what in ("seen from b", "turned") for axis in "xy"
+        Unknown(f"{axis} {what}", "m") for what in ("seen from b", "turned") for axis in "xy"
     ),
     right=turned_both_ways(lambda passive, active: [*passive, *active]),
     wrong={},

@@ -38,10 +38,10 @@ with as_written():
 
 lost_heading = Mistake(
     "M22",
-    feedback="when the heading so far is forgotten and only the turn of this step is put in",
+    feedback="when the heading so far is forgotten and only the turn of this sample is put in",
     formula=WrongFormula(formulas.new_heading, instead=FORGETFUL),
     line="pose = [x + D * np.cos(dtheta), y + D * np.sin(dtheta), theta + dtheta]",
-    why="Δθ only says how far the robot turned in this step. The direction in which it drives is "
+    why="Δθ only says how far the robot turned in this sample. The direction in which it drives is "
     "its heading in the world: the heading so far and the turn together. How much of the turn "
     "counts depends on the rule: old, middle or new heading.",
     unnoticed="In the first step from heading 0, with the rule of the new heading. On a straight "
@@ -56,7 +56,7 @@ lost_heading = Mistake(
     nth=1,
     quote="Δx = D cos Δθ, Δy = D sin Δθ",
     correction="Δx = D cos(«θ +» Δθ), Δy = D sin(«θ +» Δθ)",
-    explanation="Δθ only says how far the robot turned in this step. The direction in which it "
+    explanation="Δθ only says how far the robot turned in this sample. The direction in which it "
     "drives is the heading so far, θ, and the turn together. (This is the rule of the "
     "new heading, which the document uses in its third formula.)",
 )
@@ -102,8 +102,8 @@ counter_jump = Mistake(
     formula=WrongFormula(formulas.counter_step, instead=DIFFERENCE),
     line="D = 2 * np.pi * r / C * (after - before)",
     why="After its last number a counter shows 0, as a clock shows 0:00 after 23:59. Then the "
-    "difference lacks a whole round, 65536 ticks in a counter of 16 bits: a small step forward "
-    "looks like a huge step back. Backward past 0 it has a round too many. Of the two ways round, "
+    "difference lacks a whole round, 65536 ticks in a counter of 16 bits: a small way forward "
+    "looks like a huge way back. Backward past 0 it has a round too many. Of the two ways round, "
     "take the shorter.",
     unnoticed="As long as the counter does not pass its end: in every short test.",
     title="It leaps back in sample 9",
@@ -353,8 +353,8 @@ odometry_2 = Exercise(
 
 odometry_3 = Exercise(
     "odometry-3",
-    title="One step with the new heading",
-    text="A robot is at x = {x}, y = {y} with the heading {theta}. In one step its left wheel "
+    title="One sample with the new heading",
+    text="A robot is at x = {x}, y = {y} with the heading {theta}. In one sample its left wheel "
     "rolls {D_L} and its right wheel {D_R}; the wheels are {b} apart. Update the pose by the rule "
     "of the new heading: the robot first turns, and then drives straight. What are its new x, y "
     "(of the middle of its axle) and heading?",
@@ -491,8 +491,8 @@ odometry_5 = Exercise(
 odometry_6 = Exercise(
     "odometry-6",
     title="The error of the old heading",
-    text="A robot reads its encoders too seldom: in one step it drives {D} and turns to the left "
-    "by {turn}. Before the step it stands at the origin with the heading {theta}. Really it drives "
+    text="A robot reads its encoders too seldom: in one sample it drives {D} and turns to the left "
+    "by {turn}. Before it the robot is at the origin, with the heading {theta}. Really it drives "
     "along an arc of a circle. The program uses the old heading instead: it lets the robot drive "
     "straight, and then turn. How far is the program's place of the middle of its axle from "
     "the real one?",
@@ -540,7 +540,7 @@ odometry_7 = Exercise(
     title="From two counters to a pose",
     text="A robot stands at the origin with the heading {theta}. Its wheels have the radius {r} "
     "and are {b} apart; one turn of a wheel is {C} ticks. Two counters of 16 bits count the ticks. "
-    "Before the step they showed {left_before} (left) and {right_before} (right), after it "
+    "Before a sample they showed {left_before} (left) and {right_before} (right), after it "
     "{left_after} and {right_after}. No wheel has made more than a few turns. The robot has "
     "driven along the exact arc. What are the x and y of the middle of its axle, and its heading "
     "now?",

@@ -152,11 +152,8 @@ def inline_steps(steps: Any, values: dict[Any, Any]) -> dict[Any, Any]:
 PIECES_IN_DARK, DARK_NOISE = 16, 1.6e-3  # m: variance of a wheel's travel per metre
 START = (0, 0, pi / 2)
 WAYS = {  # seconds, how near to the dock its belief has to end, and where that is
-    name: (time, close, *(float(u) for u in arc_to(v * time, w * time, START)))
-    for name, time, close, v, w in (
-        ("short", 6.0, 0.05, 0.14, 0.2),
-        ("long", 16.0, 0.1, 0.115, 0.3),
-    )
+    f"{time:.0f} s": (time, close, *(float(u) for u in arc_to(v * time, w * time, START)))
+    for time, close, v, w in ((6.0, 0.05, 0.14, 0.2), (16.0, 0.1, 0.115, 0.3))
 }
 ARROW = 2  # s: an arrow is as long as the way in this time
 index = Symbol("piece")  # of a drive that errs
@@ -220,7 +217,7 @@ def dark_figure() -> Figure:
     arrows, handles = tips()
     now = substitute(sp.Matrix(believed), {s: Min(t / minutes, 1)})
     gap, there = distance(real.ends, end), real.ends[:2]
-    counted = [v * minutes * TICKS / (2 * pi * RADIUS) for v in (v_L, v_R)]
+    counted = [v * Min(t, minutes) * TICKS / (2 * pi * RADIUS) for v in (v_L, v_R)]
     wheels = (("left", HALF), ("right", -HALF))
     return Figure(
         name="dark-room",
@@ -231,7 +228,7 @@ def dark_figure() -> Figure:
         controls=(
             Slider(v_L, -0.1, 0.25, start=0.1, step=0.005),
             Slider(v_R, -0.1, 0.25, start=0.1, step=0.005),
-            Choice("drive_home", "drive", (minutes, near, dock_x, dock_y, dock_heading), WAYS),
+            Choice("drive_home", "drive for", (minutes, near, dock_x, dock_y, dock_heading), WAYS),
             Clock(t, 0.0, 16.0, start=16.0, step=0.2, rate=4.0, label="time"),
         ),
         shapes=(
@@ -244,7 +241,7 @@ def dark_figure() -> Figure:
             ),
             *when(lit, Line("error", (there, end)), vacuum((*there, real.ends[2]))),
             vacuum(now, look="ghost"),
-            Point("ghost", now, "ghost"),
+            Point("ghost", now, "belief"),
             *arrows,
             *counter(N_L, (0.72, -0.16), 0.36, "{left}"),
             *counter(N_R, (0.72, -0.44), 0.36, "{right}"),
@@ -254,16 +251,16 @@ def dark_figure() -> Figure:
         readouts=(
             Readout("left", "left counter, ticks", counted[0], "", 0, symbol=N_L),
             Readout("right", "right counter, ticks", counted[1], "", 0, symbol=N_R),
-            Readout("away", "ghost to the dock", distance(end, dock), "cm", 0),
+            Readout("away", "belief to the dock", distance(end, dock), "cm", 0),
             Readout(
-                "gap", "robot to ghost", Piecewise((gap, lit), (nan, True)), "cm", 0,
+                "gap", "robot to belief", Piecewise((gap, lit), (nan, True)), "cm", 0,
                 words={"nan": "dark"},
             ),
         ),
         goal=tuple(
             Goal(
                 And(lit, Abs(minutes - time) < 1),
-                f"Ghost to the dock, {name}: within {100 * close:.0f} cm.",
+                f"Belief to the dock in {name}: within {100 * close:.0f} cm.",
             )
             for name, (time, close, *_) in WAYS.items()
         ),
@@ -710,7 +707,7 @@ def lever_terms() -> list[tuple[Any, ...]]:
 
 
 def ten_doors_figure() -> Figure:
-    """Draw ten slips, each with its levers; their terms add up to the ellipse of the end."""
+    """Draw ten pieces, each with both levers; their terms add up to the ellipse of the end."""
     terms = lever_terms()
     shapes: list[Any] = []
     bars: list[Any] = []
@@ -732,7 +729,7 @@ def ten_doors_figure() -> Figure:
     )
     return Figure(
         name="ten-doors",
-        title="Ten slips along the S-shaped way, their levers, and the ellipse of their sum",
+        title="Slips in ten pieces of the S-shaped way, their levers, and the ellipse of their sum",
         view=(-0.25, 2.1, -0.42, 1.08),
         ground="tiles",
         controls=(Slider(count, 1, TEN, start=1, step=1, label="pieces so far"),),
@@ -833,12 +830,15 @@ def ellipse_figure() -> Figure:
     entries, tt = loop_entries(loop), loop.ends[-1]
     long_axis, short_axis = half_axes(entries)
     high = HOLDS_95 * sp.sqrt(entries[2])
-    near_by = ((-1.15, -0.5), (0.4, 0.5), (0, -high), (0, high))
+    near_by = ((-0.4, -0.5), (0.4, 0.5), (0, -high), (0, high))
+    on_way = (arc_to(drive * part, turned * part) for part in (0.25, 0.5, 0.75))
     return Figure(
         name="error-ellipse",
         title="The ends of two hundred drives, and the ellipse that was computed for them",
         view=(-1.1, 1.1, -0.75, 0.75),
-        contain=tuple((end[0] + dx, end[1] + dy) for dx, dy in near_by),
+        contain=(
+            (-0.2, -0.2), (0.2, 0.2), *on_way, *((end[0] + dx, end[1] + dy) for dx, dy in near_by)
+        ),
         ground="tiles",
         size="laboratory",
         controls=(
@@ -1058,7 +1058,7 @@ ICE_AT, ICE_LENGTH = 0.2, 1.96  # m: where, of the drive
 
 
 def ice_figure() -> Figure:
-    """Draw a straight drive whose wheel slips on ice: the odometry, and its ellipse."""
+    """Draw a straight drive whose wheel slips on ice: the belief, and its ellipse."""
     hinge, end = (ICE_AT, HALF), (ICE_LENGTH, 0, 0)
     angle = slip / BASE
     told, along = swung(end, hinge, angle), swung((s, 0, 0), hinge, angle)
@@ -1068,7 +1068,7 @@ def ice_figure() -> Figure:
     xx, xy, _, yy = turn * sp.diag(along_it**2, across**2) * turn.T
     return Figure(
         name="ice",
-        title="A robot that drives straight over ice, and its odometry, which swings away",
+        title="A robot that drives straight over ice, and its belief, which swings away",
         view=(-0.3, 2.35, -0.6, 1.0),
         ground="tiles",
         controls=(Slider(slip, -0.03, 0.08, start=0.0, step=0.002),),
@@ -1084,13 +1084,13 @@ def ice_figure() -> Figure:
             *_ellipse(told, (xx, xy, yy)),
         ),
         readouts=(
-            Readout(swing, "odometry turned by δ"),
-            Readout("aside", "odometry's y", told[1], "m"),
+            Readout(swing, "belief turned by δ"),
+            Readout("aside", "belief's y", told[1], "m"),
             Readout("many", "that is so many σ", told[1] / across, "", 1),
         ),
         goal=Goal(
             Abs(Abs(told[1]) - 3 * across) < 0.01,
-            "Find the slip that puts the odometry 3 σ beside the robot: within 1 cm.",
+            "Find the slip that puts the belief 3 σ beside the robot: within 1 cm.",
         ),
     )
 
@@ -1134,7 +1134,7 @@ def lab_figure() -> Figure:
     loop = lab_loop()
     start = (0, 0, set_off)
     along, told = arc_to(drive * s, turned * s, start), arc_to(drive, turned, start)
-    slips_at = arc_to(0.2, 0.2 * turned / drive, start)
+    slips, slips_at = 0.2 / drive, arc_to(0.2, 0.2 * turned / drive, start)
     hinge = point_of(slips_at, 0, HALF)
     real = swung(told, hinge, -slip / BASE)
     real_along = swung(along, hinge, -slip / BASE)
@@ -1158,15 +1158,17 @@ def lab_figure() -> Figure:
             docks(dock),
             vacuum(start, look="ghost"),
             Trail("ghost", (x, y), loop),
-            *tracks(along, 1),
-            Curve("path", along, s, 0, 1),
+            *tracks(along, slips),
+            *tracks(real_along, 1, slips),
+            Curve("path", along, s, 0, slips),
+            Curve("path", real_along, s, slips, 1),
             *when(
                 slip > 0.001,
-                Curve("error", real_along, s, 0.2 / drive, 1),
+                Curve("error", along, s, slips, 1),
                 Point("icr", hinge, ""),
             ),
             vacuum(real),
-            vacuum(told, look="ghost"),
+            *when(slip > 0.001, vacuum(told, look="wrong")),
             *_ellipse(told, loop_entries(loop)),
             Label("target", (1.45, 0.8), "dock"),
         ),

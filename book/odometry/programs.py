@@ -82,9 +82,9 @@ def draw_wheels(right, answer, end_cw, end_ccw, side, b):
 
 
 SQUARES_TEXT = (
-    "Write the test of Drive two squares: from the two ends to the true wheel distance and to the "
+    "Write the test of Two squares: from the two ends to the true wheel distance and to the "
     "ratio of the wheels. Both squares begin at (0, 0), and their first side lies on the x axis. "
-    "Use the step's formulas: the mean of what x and y tell, and for the radius the chord. A robot "
+    "Use step 7's formulas: the mean of what x and y tell; a side is a chord. A robot "
     "that comes home exactly must work, too."
 )
 SQUARES = '''\

@@ -29,7 +29,7 @@ ADVICE = {  # by the end of a file's name
     (".zip", ".7z", ".rar", ".gz"): "unpack it",
     (".ipynb",): "ask for the file that practice.export() writes in it",
     (".xlsx", ".xls", ".ods", ".numbers"): "ask for the original, a spreadsheet changes answers",
-    ("",): "ask for the CSV that the page saves",
+    ("",): "rename it to .csv if it is the table that the page saves, or ask for that",
 }
 NEAR = 0.8  # of 1: how much alike names are that one person may have written
 NEVER = datetime.min.replace(tzinfo=UTC)

@@ -127,9 +127,9 @@ def _summarize(key: Key, graded: Sequence[Graded]) -> list[str]:
     lines = [", ".join(f"{counts[result]:,} {result}" for result in RESULTS)]
     answered = Counter(each.exercise for each in graded if each.result != "missing")
     made = Counter((each.exercise, each.mistake, each.comment) for each in graded if each.mistake)
-    for (exercise, mistake, comment), count in made.most_common():
-        if mistake in all_mistakes() and len(lines) <= MOST_SHOWN:
-            lines.append(f"{count} of {answered[exercise]}, {exercise}: {mistake}. {comment}")
+    for (exercise, mistake, comment), count in made.most_common(MOST_SHOWN):
+        name = f"{mistake}. " if mistake in all_mistakes() else ""  # a slip has none
+        lines.append(f"{count} of {answered[exercise]}, {exercise}: {name}{comment}")
     unread = groupby((g for g in graded if g.result == "unread"), itemgetter(0))
     listed = [f"  {student}: {', '.join(g.exercise for g in theirs)}" for student, theirs in unread]
     lines += [f"students with unread answers: {len(listed):,}", *listed] if listed else []

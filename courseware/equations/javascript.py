@@ -80,8 +80,7 @@ def compile_javascript(
     printer = _JavaScript(names)
     lines = []
     with as_written():
-        given = [*map(sp.sympify, expressions)]
-        shared, values = tree_cse(given, sp.numbered_symbols(), order="none")
+        shared, values = tree_cse([*map(sp.S, expressions)], sp.numbered_symbols(), order="none")
         for place, (symbol, expression) in enumerate([*where, *shared]):
             lines.append(f"const t{place} = {_one_line(printer, expression)};")
             names[symbol] = f"t{place}"

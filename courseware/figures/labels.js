@@ -18,7 +18,7 @@ export const overlaps = ([a, b, c, d]) => (box) => a < box[2] && box[0] < c && b
 // A text in pieces: letters of formulas with their mark and index ("θ̇_1", but no unit), all else.
 const UNIT = /(\d[ \u00a0]?|\/|\bin )$/; // before a letter, which is a unit then
 const splitLetters = (text) => {
-  const words = text.normalize("NFD").split(/(\p{L}[\p{L}\p{M}]*(?:_\w+)?)/u);
+  const words = text.normalize("NFD").split(/(\p{L}[\p{L}\p{M}]*(?:'\p{L}+|_\w+)?)/u);
   return words.map((word, i) => {
     const [, letter, mark, index = ""] = /^(\p{L})(\u0307?)(?:_(\w+))?$/u.exec(word) ?? [];
     return letter && !UNIT.test(words.slice(0, i).join("")) ? { letter, mark, index } : { word };
@@ -36,8 +36,8 @@ const MATH = "font:italic 17px KaTeX_Math,'Latin Modern Math','STIX Two Math',se
 
 const LOW = /[acegm-suvwxyzαγεηικμνπρστυφω]/; // letters under a dot that is not raised
 
-// Each piece at its height above the line of the text. A dot is above its letter; an index has a
-// thin edge of ground only, because it is painted after its letter, and over it.
+// Each piece at its height above the line of the text. A dot is above its letter; an index, or what
+// touches a letter, has a thin edge of ground only, because it is painted after it, and over it.
 const renderPieces = (pieces) => {
   let at = 0;
   const render = (text, high, style = "", dx = 0) => {
@@ -45,7 +45,7 @@ const renderPieces = (pieces) => {
     at = high;
     return `<tspan${shift}${style && ` style="${style}"`}>${escapeHtml(text)}</tspan>`;
   };
-  return pieces.map(({ letter, mark, index, word }) => word ? render(word.normalize("NFC"), 0)
+  return pieces.map(({ letter, mark, index, word }, i) => word ? render(word.normalize("NFC"), 0, i && /^\S{1,3}$/.test(word) ? "stroke-width:2px" : "")
     : render(letter, 0, MATH) + (mark && render("\u02d9", LOW.test(letter) ? 0 : 4, `font:17px ${UPRIGHT}`, -8))
       + (index && render(index, -4, `font:12px ${UPRIGHT};stroke-width:2px`, mark ? 3 : 1))).join("");
 };

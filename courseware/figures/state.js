@@ -13,7 +13,7 @@
 import { functions } from "../equations/functions.js";
 import { computeTurns } from "./quarter_turns.js";
 
-export const startState = (figure) => figure.controls.map((control) => control.start);
+export const startState = (figure) => figure.controls.map(({ kept, start }) => kept ?? start);
 
 // For the formulas: all symbols that controls set, in SI.
 export const settings = (figure, state) => figure.controls.flatMap((control, i) =>

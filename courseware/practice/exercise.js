@@ -34,16 +34,17 @@ export class ExerciseBox {
   one(selector) { return this.element.querySelector(selector); }
 
   start() {
-    this.one("form").addEventListener("submit", (event) => {
-      event.preventDefault();
-      this.check();
-    });
+    this.one("form").addEventListener("submit", (event) => { event.preventDefault(); this.check(); });
     this.one(".rk-grid")?.addEventListener("input", () => {
       const rows = [...this.element.querySelectorAll("tr")].map((row) =>
         `[${[...row.querySelectorAll("input")].map((cell) => cell.value.replace(/,/g, ".")).join(", ")}]`);
       this.input.value = `[${rows.join(", ")}]`;
     });
-    this.one("form").addEventListener("input", () => this.keepTyped());
+    this.one("form").addEventListener("input", () => { // what was said stays to be read, without its sign
+      this.keepTyped();
+      this.one(".rk-verdict").className = "rk-verdict";
+      this.one(".rk-read").textContent = "";
+    });
     const train = (training) => this.withExercise(() => {
       Object.assign(this, { training, trained: {} });
       this.show();

@@ -24,7 +24,7 @@ from courseware.practice.bank import all_exercises, find_exercise
 from courseware.practice.candidates import Candidate, find_candidates, find_clash
 from courseware.practice.exercises import Exercise
 
-VARIANTS = 64
+VARIANTS, FEWEST = 64, 14  # sets of numbers; the fewest that a secret must find
 ATTEMPTS = 200  # for each variant: an exercise that needs more should draw otherwise
 # what Python, browsers and Unicode all take for white space, written out so that all agree
 SPACES = "[\t-\r\x1c- \x85\xa0\u1680\u2000-\u200a\u2028\u2029\u202f\u205f\u3000\ufeff]+"
@@ -110,11 +110,11 @@ def _variants(name: str, secret: str) -> tuple[Variant, ...]:
             found[key] = variant
         if len(found) == VARIANTS:
             break
-    if len(found) == VARIANTS or (secret and found):
+    if len(found) >= (needed := FEWEST if secret else VARIANTS):
         return tuple(found.values())
     raise CourseError(
-        f"{name}: only {len(found)} of {VARIANTS} variants can be dealt; answers that are too "
-        f"close, and how often: {dict(met)}"
+        f"{name}: only {len(found)} sets of numbers, needed are {needed}: more options in given; "
+        f"too close to tell apart, how often: { {pair: n for pair, n in met.items() if pair} }"
     )
 
 

@@ -130,7 +130,7 @@ class Ghost(_Numbers):
             left and right, the second one up and down; the only angle is turned; another slider
             goes by its label.
         then: the sliders' values after the answer.
-        free: sliders that can be moved meanwhile, to try the guess; they must not tell the answer.
+        free: sliders to move before and after the answer, which they must not tell.
         right: where the ghost belongs, a number for each slider.
         tolerance: how far off each may be and still count as right, in the units of the sliders.
         assumptions: as for a number.

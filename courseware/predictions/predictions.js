@@ -218,7 +218,8 @@ class PredictionBox {
         grip.style.display = sets.every((i) => this.isMovable(i)) ? "" : "none";
       }
     });
-    // what is close enough moves to the exact place
+    // a reset leaves what the answer alone has set; what is close enough moves to the exact place
+    controls.forEach((control, i) => { control.kept = answered && control.shown !== undefined ? then[i] : undefined; });
     const guess = answered && (taken === SHOWN || isSameGuess(this.data, taken, right)) ? right : taken;
     live.set(controls.map(({ start }, i) => !answered ? start
       : places.includes(i) ? guess[places.indexOf(i)] : then[i] ?? live.state[i]));

@@ -36,9 +36,8 @@ def start_numbers(figure: Figure) -> Numbers:
 def find_key(figure: Figure, name: str) -> str:
     """Return the key of a quantity of a figure, by its name."""
     keys = start_numbers(figure)
-    for key in keys:
-        if key.split(".")[1] == name:
-            return key
+    if found := next((key for key in keys if key.split(".")[1] == name), ""):
+        return found
     raise CourseError(
         f"a sentence follows {name} of the figure {figure.name}, which shows no such quantity; "
         f"there are {', '.join(keys)}"

@@ -42,10 +42,7 @@ def symbol_facts(page: str) -> dict[str, list[str]]:
     chapter = page.partition("/")[0]
     if chapter not in course().taught:
         return {}
-    return {
-        symbol.key: describe_symbol(symbol, chapter)
-        for symbol in lexicon.symbols_of(chapter).values()
-    }
+    return {s.key: describe_symbol(s, chapter) for s in lexicon.symbols_of(chapter).values()}
 
 
 @cache

@@ -31,7 +31,7 @@ def append_unit(text: str, unit: str) -> str:
 
 def render_symbols(text: str) -> str:
     """Render "v_L", "θ̇_1", "x_{i+1}" and "θ_1^away" as letters with an index, in HTML."""
-    letter, index = r"([^\W\d_][\u0300-\u036f]*)", "(?:([0-9A-Za-z]+)|{([^}]+)})"
+    letter, index = r"([^\W\d_][\u0300-\u036f]*)", r"(?:([^\W_]+)|{([^}]+)})"
     text = re.sub(f"{letter}_{index}", r"<i>\1</i><sub>\2\3</sub>", escape(text))
     return re.sub(r"</sub>\^([0-9A-Za-z]+|[+−-])", r"</sub><sup>\1</sup>", text)
 

@@ -13,7 +13,7 @@ export const withUnit = (text, unit) => !unit || TIGHT_UNITS.includes(unit) ? te
 
 // A text as HTML. Its symbols are letters with an index, as "θ̇_1", and one above, as "θ_1^away".
 export const renderSymbols = (text, written = "<i>$1</i><sub>$2</sub>") =>
-  escapeHtml(text).replace(/(\p{L}[\u0300-\u036f]*)_([0-9A-Za-z]+)/gu, written)
+  escapeHtml(text).replace(/(\p{L}[\u0300-\u036f]*)_([0-9\p{L}]+)/gu, written)
     .replace(/<\/sub>\^([0-9A-Za-z]+|[+\u2212-])/g, "</sub><sup>$1</sup>");
 
 export const formatNumber = (number, digits) => trueMinus(String(Number(number.toPrecision(digits))));

@@ -144,9 +144,8 @@ def steps_readouts(count):
 
 
 def conventions_readouts(rear, front, t):
-    pose = bicycle.path(np.array([0, 0, UP]) + 0 * t[:, None], V, np.pi / 6, LENGTH, t[:, None])[
-        :, -1
-    ]
+    start = np.array([0, -LENGTH, UP]) + 0 * t[:, None]  # O is at the origin then
+    pose = bicycle.path(start, V, np.pi / 6, LENGTH, t[:, None])[:, -1]
     O = pose[:, :2] + LENGTH * directions(pose[:, 2])  # noqa: E741
     x, y = (np.where(rear > 0, pose[:, k], O[:, k]) for k in (0, 1))
     return {"x": x, "y": y, "heading": np.where(rear > 0, pose[:, 2], UP - pose[:, 2])}

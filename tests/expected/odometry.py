@@ -24,7 +24,8 @@ def dark_readouts(v_left, v_right, time, near, dock_x, dock_y, dock_heading, par
         ends.append(motion.path(start, v, turn, 1.0)[:, -1, :2])
     gap = np.linalg.norm(ends[1] - ends[0], axis=-1)
     away = np.hypot(ends[0][:, 0] - dock_x, ends[0][:, 1] - dock_y)
-    counted = told * TICKS / (2 * np.pi * RADIUS)
+    so_far = np.minimum(part / time, 1)[:, None]
+    counted = told * so_far * TICKS / (2 * np.pi * RADIUS)
     lit = np.where(away < near, gap, np.nan)
     return {"left": counted[:, 0], "right": counted[:, 1], "away": away, "gap": lit}
 
@@ -234,7 +235,7 @@ READOUTS = {
 }
 SHORT, LONG = {"v_L": 0.12, "v_R": 0.16}, {"v_L": 0.085, "v_R": 0.145}
 SPECIALS = {
-    "dark-room": [SHORT, {"drive_home": "long", **LONG}],
+    "dark-room": [SHORT, {"drive_home": "16 s", **LONG}],
     "four-rules": [{"turned": 2 * np.pi}, {"turned": 2 * np.pi, "samples": 3}, {"samples": 32}],
     "error-ellipse": [
         {"turned": 2 * np.pi},
@@ -336,7 +337,7 @@ PREDICTED = {  # prediction → what is right; where numbers are typed, the wron
 GOALS = {  # figure → for each goal: settings that just reach it, and that just miss it
     "dark-room": [
         ([SHORT], [{**SHORT, "v_R": 0.17}, LONG]),
-        ([{"drive_home": "long", **LONG}], [{"drive_home": "long", **SHORT}]),
+        ([{"drive_home": "16 s", **LONG}], [{"drive_home": "16 s", **SHORT}]),
     ],
     "tick": [([{"way": 0.161}, {"way": 0.186}], [{"way": 0.16}, {"way": 0.187}])],
     "strips": [

@@ -24,7 +24,7 @@ FIRST = {
     "homogeneous transform": f"{FRAMES}#a-pose-as-a-matrix",
     "ICR": f"{DRIVE}#where-the-icr-goes",
     "Ackermann": "bicycle/bicycle#and-back-one-steering-wheel-two-angles",
-    "covariance": f"{ODOMETRY}#ten-slips-are-ten-doors",
+    "covariance": f"{ODOMETRY}#many-slips-are-many-doors",
     "manipulability": f"{PLANAR}#all-at-once",
     # symbols
     "φ": "notation#wheel-constraints-and-the-omni-robot",

@@ -534,7 +534,7 @@ def base_figure() -> Figure:
                 theta1, (side[0], side[1] - 0.07), (side[0] + 0.2 * face, side[1] - 0.07), "front"
             ),
             Label("text", (-0.4, 0.54), "from above"),
-            Label("text", (1.4, 0.54), "from the side"),
+            Label("text", (1.05, 0.54), "from the side"),
         ),
         handles=(Handle("the ball", (p_x, p_y)),),
         readouts=(Readout("turn", "base θ_1", turn, "rad"), Readout(out)),

@@ -870,7 +870,7 @@ def one_axis_figure() -> Figure:
             *die(R, LEFT),
             *ghost_die(R_AB, right_of_origin(1.45), OF_B),
             Bracket(R, (-1.15, -2.1), digits=2, columns=("text",) * 3),
-            Label("text", (-2.2, -2.1), "R ="),
+            Label("text", (-2.4, -2.1), "R ="),
         ),
         readouts=(
             *(

@@ -349,6 +349,9 @@ elbow_arm_3 = Exercise(
             theta2,
             -theta3,
         ],
+        "when the elbow bends as before, though it is seen from behind": (
+            lambda theta1, theta2, theta3, a2, a3: [theta1 + np.pi, np.pi - theta2, theta3]
+        ),
     },
     solution=Solution(
         "Look at the arm from the side. After half a turn of the base, forward is where backward "

@@ -24,8 +24,7 @@ def dark_readouts(v_left, v_right, time, near, dock_x, dock_y, dock_heading, par
         ends.append(motion.path(start, v, turn, 1.0)[:, -1, :2])
     gap = np.linalg.norm(ends[1] - ends[0], axis=-1)
     away = np.hypot(ends[0][:, 0] - dock_x, ends[0][:, 1] - dock_y)
-    so_far = np.minimum(part / time, 1)[:, None]
-    counted = told * so_far * TICKS / (2 * np.pi * RADIUS)
+    counted = told * np.minimum(part / time, 1)[:, None] * TICKS / (2 * np.pi * RADIUS)
     lit = np.where(away < near, gap, np.nan)
     return {"left": counted[:, 0], "right": counted[:, 1], "away": away, "gap": lit}
 

@@ -44,7 +44,7 @@ lost_heading = Mistake(
     why="Δθ only says how far the robot turned in this sample. The direction in which it drives is "
     "its heading in the world: the heading so far and the turn together. How much of the turn "
     "counts depends on the rule: old, middle or new heading.",
-    unnoticed="In the first step from heading 0, with the rule of the new heading. On a straight "
+    unnoticed="In the first sample from heading 0, with the rule of the new heading. On a straight "
     "line along the x axis with every rule.",
     title="It forgets its heading",
     picture=(

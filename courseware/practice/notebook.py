@@ -111,8 +111,8 @@ def exercise(name: str, student: str | int | None = None, course: str | None = N
     return Box(find_exercise(name), who, where or opened().salt)
 
 
-def export(path: str | Path = "answers.csv", force: bool = False) -> Path:
-    """Write the answers of this session as the table that a teacher grades."""
+def export(path: str | Path = "", force: bool = False) -> Path:
+    """Write this session's answers as the table that a teacher grades, a new file each time."""
     if not _answers:
         raise CourseError("there are no answers yet: check an answer of an exercise first")
     if not all(student for _, student, _ in _answers):
@@ -121,6 +121,7 @@ def export(path: str | Path = "answers.csv", force: bool = False) -> Path:
         ("answers", course, variants.version(), k.time, k.student, name, k.answer, k.tries, k.help)
         for (course, _, name), k in _answers.items()
     ]
+    path = path or f"answers-{datetime.now():%Y-%m-%d-%H%M%S}.csv"
     return write_table(path, ANSWER_COLUMNS, rows, force)
 
 

@@ -349,15 +349,15 @@ elbow_arm_3 = Exercise(
             theta2,
             -theta3,
         ],
-        "when the elbow bends as before, though it is seen from behind": (
+        "when the elbow stays as it is": (
             lambda theta1, theta2, theta3, a2, a3: [theta1 + np.pi, np.pi - theta2, theta3]
         ),
     },
     solution=Solution(
-        "Look at the arm from the side. After half a turn of the base, forward is where backward "
+        "From the side: after half a turn of the base, forward is where backward "
         "was. To point in the old direction the upper link must lean over backwards, as far from "
-        "the horizontal as before. The elbow then bends to the other side. The new angles, with "
-        "the base facing away, are right up to whole turns:\n\n{away}\n\n"
+        "the horizontal as before. The elbow then bends to the other side. The new angles, "
+        "with the base facing away, up to whole turns:\n\n{away}\n\n"
         "Check: the place of the wrist, from the shoulder. With the old angles:\n\n{old}\n\n"
         "With the new angles it is {new.value}, the same place.",
         answer=("away",),

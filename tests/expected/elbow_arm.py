@@ -250,7 +250,7 @@ FEEDBACK = {  # exercise → numbers as its text shows them, mistake → what it
             "M4": [3.4907, -0.1745, -1.5708],
             "only change their sign": [3.4907, 0.1745, 1.5708],
             "shoulder stays": [3.4907, -0.1745, 1.5708],
-            "elbow bends as before": [3.4907, 3.3161, -1.5708],
+            "elbow stays": [3.4907, 3.3161, -1.5708],
         },
     ),
     "elbow-arm-4": (

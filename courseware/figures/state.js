@@ -3,7 +3,7 @@
 /**
  * @typedef {{ name, title, view, controls, handles, readouts, sentence, steps, recurrences, where,
  *   compute, scene, goals, size, viewAngles?, grid?, follow?, contain? }} Figure made by compiler.py
- * @typedef {{ type, key, label, unit, factor, low, high, start, step, digits }} Control in its shown unit
+ * @typedef {{ type, key, label, unit, factor, low, high, start, step, digits, kept? }} Control in its shown unit
  * @typedef {(number | [string, number])[]} State what each control shows; of turns, see quarter_turns.js
  * @typedef {{ c: number[], trails: number[][][], values: number[], view: number[] }} Computed
  *   c: settings, last states of recurrences, named steps, which build on each other; values: those

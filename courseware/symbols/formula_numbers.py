@@ -6,6 +6,7 @@ radians where they meet other quantities.
 """
 
 from collections.abc import Mapping
+from functools import cache
 from html import escape
 from typing import Any
 
@@ -27,6 +28,7 @@ START_NUMBERS = """((figure, {numbersBySymbol, startState, settings, compute}) =
 ))"""
 
 
+@cache
 def start_numbers(figure: Figure) -> Numbers:
     """Return the numbers of an untouched figure, `{value, text}`, by the keys of their symbols."""
     found: Numbers = engine.run(f"{START_NUMBERS}({figure.code}, courseware)")

@@ -31,8 +31,7 @@ def render_slot(figure: str, name: str, chapter: str) -> str:
     key = find_key(found, name)
     kinds = (find_kind(s, chapter) for s in lexicon.symbols_of(chapter).values() if s.key == key)
     face = f'data-of="{figure}" data-result="1" data-symbol="{key}" data-look="{next(kinds, "")}"'
-    text = f"<span {face}>{escape(start_text(figure, name))}</span>"
-    return f'<span class="rk-slot">{text}</span>'
+    return f'<span class="rk-slot"><span {face}>{escape(start_text(figure, name))}</span></span>'
 
 
 def place_slots(app: Sphinx, page: str, content: list[str]) -> None:
